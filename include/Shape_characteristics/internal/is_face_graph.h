@@ -1,0 +1,45 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERNAL_IS_FACE_GRAPH_H
+#define SHAPE_CHARACTERISTICS_INTERNAL_IS_FACE_GRAPH_H
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <iterator>
+#include <type_traits>
+#include <utility>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// the overloads of an estimator are told apart by what its first argument is
+
+template <typename T, typename = void>
+struct Is_face_graph : std::false_type
+{};
+
+template <typename T>
+struct Is_face_graph<T,
+                     std::void_t<typename boost::graph_traits<T>::halfedge_descriptor,
+                                 typename boost::graph_traits<T>::face_descriptor> > : std::true_type
+{};
+
+template <typename T>
+inline constexpr bool is_face_graph = Is_face_graph<T>::value;
+
+template <typename T, typename = void>
+struct Is_point_range : std::false_type
+{};
+
+template <typename T>
+struct Is_point_range<
+  T,
+  std::void_t<decltype(std::begin(std::declval<const T&>())), decltype(std::end(std::declval<const T&>()))> >
+  : std::bool_constant<!is_face_graph<T> >
+{};
+
+template <typename T>
+inline constexpr bool is_point_range = Is_point_range<T>::value;
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERNAL_IS_FACE_GRAPH_H

@@ -1,0 +1,63 @@
+#ifndef SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
+#define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// a strict weak order of all points; NaN comes last
+inline bool lexicographically_smaller(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
+{
+  for(int c = 0; c < 3; ++c)
+  {
+    if(p[c] < q[c])
+      return true;
+    if(q[c] < p[c])
+      return false;
+    if(std::isnan(p[c]) != std::isnan(q[c]))
+      return std::isnan(q[c]);
+  }
+  return false;
+}
+
+// Sorts neighbors by distance, then by coordinates: an order that the surface alone determines. Sums over a
+// neighborhood then have the same bits whatever the order of the input and the type of the mesh.
+class Neighbor_order
+{
+public:
+  template <typename Samples>
+  void sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors)
+  {
+    const Eigen::Vector3d& p = samples.point(center);
+    m_keys.clear();
+    for(const std::uint32_t j : neighbors)
+      m_keys.emplace_back((samples.point(j) - p).squaredNorm(), j);
+    std::sort(m_keys.begin(),
+              m_keys.end(),
+              [&](const Key& a, const Key& b)
+              {
+                if(a.first != b.first)
+                  return a.first < b.first;
+                return lexicographically_smaller(samples.point(a.second), samples.point(b.second));
+              });
+    for(std::size_t k = 0; k < neighbors.size(); ++k)
+      neighbors[k] = m_keys[k].second;
+  }
+
+private:
+  using Key = std::pair<double, std::uint32_t>;
+  std::vector<Key> m_keys;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
