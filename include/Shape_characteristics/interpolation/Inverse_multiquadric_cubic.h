@@ -40,7 +40,7 @@ public:
   double first_derivative(double r) const noexcept
   {
     const double a = epsilon * r, inverse = 1 / (1 + a * a * a);
-    return -1.5 * epsilon * (a * a * inverse) * std::sqrt(inverse);
+    return -1.5 * epsilon * a * (a * inverse) * std::sqrt(inverse);
   }
 
   /// returns \f$ \phi''(r) \f$.

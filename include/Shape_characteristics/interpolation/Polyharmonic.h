@@ -64,8 +64,6 @@ public:
   /// returns \f$ (2\,d/dq)^k \phi \f$ for \f$ k = 0 \dots 3 \f$ at \f$ q = r^2 \f$.
   std::array<double, 4> radial_derivatives(double q) const noexcept
   {
-    if(t % 2 == 1 && q < internal::coincidence_bound)
-      return {0, 0, 0, 0};
     const double r = t % 2 == 1 ? std::sqrt(q) : 0;
     return {internal::power_of_root<t>(r, q), term<1>(r, q), term<2>(r, q), term<3>(r, q)};
   }
@@ -77,6 +75,8 @@ private:
     constexpr int coefficient = k == 1 ? t : k == 2 ? t * (t - 2) : t * (t - 2) * (t - 4);
     if constexpr(coefficient == 0) // even exponents only
       return 0;
+    else if constexpr(t < 2 * k)
+      return q < internal::coincidence_bound ? 0 : coefficient * internal::power_of_root<t - 2 * k>(r, q);
     else
       return coefficient * internal::power_of_root<t - 2 * k>(r, q);
   }
