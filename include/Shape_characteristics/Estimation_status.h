@@ -15,15 +15,15 @@ namespace Shape_characteristics {
 */
 enum class Estimation_status : unsigned char
 {
-  ESTIMATED,          ///< the quantity was estimated
-  BORDER,             ///< estimated, but from a one-sided neighborhood: the sample lies on the border of the surface
-  FEW_NEIGHBOURS,     ///< the neighborhood has too few samples to determine the quantity
-  DEGENERATE,         ///< the neighborhood doesn't determine the quantity: coincident or collinear points, a fit that failed
-  NON_FINITE_INPUT,   ///< the point or the normal of the sample is infinite, NaN, or a zero normal
-  UNREFERENCED,       ///< no face is incident to the vertex
-  DUPLICATE,          ///< too few neighbors, and another vertex at the very same point: the mesh is a soup of faces, see
-                      ///< `CGAL::Polygon_mesh_processing::stitch_borders()`
-  CANCELLED           ///< the callback stopped the computation before this sample
+  ESTIMATED, ///< the quantity was estimated
+  BORDER,    ///< estimated, but from a one-sided neighborhood: the sample lies on the border of the surface
+  FEW_NEIGHBOURS, ///< the neighborhood has too few samples to determine the quantity
+  DEGENERATE, ///< the neighborhood doesn't determine the quantity: coincident or collinear points, a fit that failed
+  NON_FINITE_INPUT, ///< the point or the normal of the sample is infinite, NaN, or a zero normal
+  UNREFERENCED,     ///< no face is incident to the vertex
+  DUPLICATE, ///< too few neighbors, and another vertex at the very same point: the mesh is a soup of faces, see
+             ///< `CGAL::Polygon_mesh_processing::stitch_borders()`
+  CANCELLED ///< the callback stopped the computation before this sample
 };
 
 /// \ingroup PkgShapeCharacteristicsResults

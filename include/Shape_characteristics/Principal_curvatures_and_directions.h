@@ -28,10 +28,10 @@ struct Principal_curvatures_and_directions
   using FT = typename GeomTraits::FT;             ///< number type
   using Vector_3 = typename GeomTraits::Vector_3; ///< vector type
 
-  FT min_curvature = FT(0);                    ///< smaller principal curvature
-  FT max_curvature = FT(0);                    ///< larger principal curvature
-  Vector_3 min_direction = CGAL::NULL_VECTOR;  ///< unit direction of `min_curvature`
-  Vector_3 max_direction = CGAL::NULL_VECTOR;  ///< unit direction of `max_curvature`
+  FT min_curvature = FT(0);                   ///< smaller principal curvature
+  FT max_curvature = FT(0);                   ///< larger principal curvature
+  Vector_3 min_direction = CGAL::NULL_VECTOR; ///< unit direction of `min_curvature`
+  Vector_3 max_direction = CGAL::NULL_VECTOR; ///< unit direction of `max_curvature`
 
   /// a plane's curvatures, no directions
   Principal_curvatures_and_directions() = default;
@@ -41,10 +41,10 @@ struct Principal_curvatures_and_directions
                                       const FT& max_curvature,
                                       const Vector_3& min_direction,
                                       const Vector_3& max_direction)
-    : min_curvature(min_curvature)
-    , max_curvature(max_curvature)
-    , min_direction(min_direction)
-    , max_direction(max_direction)
+    : min_curvature(min_curvature),
+      max_curvature(max_curvature),
+      min_direction(min_direction),
+      max_direction(max_direction)
   {}
 };
 

@@ -2,12 +2,13 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_FACE_GRAPH_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
@@ -87,10 +88,17 @@ public:
   }
 
   /*!
-    copies a vertex (which becomes sample 0) and its surroundings: the vertices that are at most
-    `number_of_rings` edges away, or, for the neighborhood of a ball, all those that may be reached on edges
-    within `radius` (and the faces and neighbors of those, so that `neighbors(0)` and the normals of all of them are the
-    same as if the whole mesh was copied).
+    copies a vertex (which becomes sample 0) and its surroundings: all vertices that are reached by going from
+    neighbors to neighbors `reach` times. Those that are reached in less than `reach` times have the same
+    neighbors, faces and normals as if the whole mesh was copied. Of two fans of faces that share `center` at
+    a point alone (a bow tie), only that of `halfedge(center, mesh)` is seen.
+
+    \param center the vertex
+    \param mesh the mesh
+    \param vpm its points
+    \param neighborhood what the neighbors of a vertex are: `Neighborhood::rings()` or `Neighborhood::ball()`
+    \param reach see above
+    \param[out] copied the vertices of the samples
 
     Complexity: linear in the number of vertices copied.
   */
@@ -99,8 +107,8 @@ public:
                      const FaceGraph& mesh,
                      const VertexPointMap& vpm,
                      const Neighborhood& neighborhood,
-                     unsigned int number_of_rings,
-                     double radius = 0.)
+                     unsigned int reach,
+                     std::vector<typename boost::graph_traits<FaceGraph>::vertex_descriptor>& copied)
     : m_neighborhood(neighborhood)
   {
     using Graph_traits = boost::graph_traits<FaceGraph>;
@@ -108,7 +116,7 @@ public:
 
     check_neighborhood();
     std::unordered_map<vertex_descriptor, Index> index_of;
-    std::vector<vertex_descriptor> copied;
+    copied.clear();
     const auto copy = [&](const vertex_descriptor v)
     {
       if(!index_of.emplace(v, Index(copied.size())).second)
@@ -126,14 +134,21 @@ public:
     };
 
     copy(center);
-    const double squared_radius = radius * radius;
     std::size_t begin = 0;
-    for(unsigned int ring = 0; ring < number_of_rings; ++ring)
-      for(const std::size_t end = copied.size(); begin != end; ++begin)
-        copy_neighbors(copied[begin]);
-    for(; begin != copied.size() && radius > 0.; ++begin)
-      if((m_points[begin] - m_points[0]).squaredNorm() <= squared_radius)
-        copy_neighbors(copied[begin]);
+    if(m_neighborhood.kind() == Neighborhood::Kind::RINGS)
+    {
+      const std::size_t rings = reach * (m_neighborhood.count() + s_further_rings);
+      for(std::size_t ring = 0; ring < rings; ++ring)
+        for(const std::size_t end = copied.size(); begin != end; ++begin)
+          copy_neighbors(copied[begin]);
+    }
+    else
+    {
+      const double radius = reach * m_neighborhood.radius();
+      for(; begin != copied.size(); ++begin)
+        if((m_points[begin] - m_points[0]).norm() <= radius)
+          copy_neighbors(copied[begin]);
+    }
     // One ring more gives all the inner vertices all their faces.
     for(std::size_t i = 0, end = copied.size(); i != end; ++i)
       copy_neighbors(copied[i]);
@@ -255,7 +270,7 @@ public:
     m_normals = std::move(normals);
     for(std::size_t i = 0; i < size(); ++i)
     {
-      const double length = m_normals[i].stableNorm();
+      const double length = internal::length(m_normals[i]);
       if(length > 0. && std::isfinite(length))
         m_normals[i] = (m_normals[i] / length).normalized();
       else if(is_estimated(m_status[i]))
@@ -267,6 +282,8 @@ public:
   void set_point(std::size_t i, const Eigen::Vector3d& point) { m_points[i] = point; }
 
 private:
+  static constexpr std::size_t s_further_rings = 2; // where the given ones have too few vertices
+
   static void check_size(std::size_t n)
   {
     if(n >= (std::numeric_limits<Index>::max)() - 1)
@@ -340,8 +357,7 @@ private:
     // The first vertex doesn't depend on where the mesh starts to count.
     const auto first = m_face_vertices.end() - std::ptrdiff_t(degree(number_of_faces() - 1));
     std::rotate(first,
-                std::min_element(first,
-                                 m_face_vertices.end(),
+                std::min_element(first, m_face_vertices.end(),
                                  [&](const Index a, const Index b)
                                  { return internal::lexicographically_smaller(m_points[a], m_points[b]); }),
                 m_face_vertices.end());
@@ -432,13 +448,12 @@ private:
   void drop_unusable(std::vector<Index>& neighbors) const
   {
     neighbors.erase(
-      std::remove_if(neighbors.begin(), neighbors.end(), [&](const Index j) { return !is_usable(j); }),
-      neighbors.end());
+        std::remove_if(neighbors.begin(), neighbors.end(), [&](const Index j) { return !is_usable(j); }),
+        neighbors.end());
   }
 
   void collect_rings(std::size_t i, std::size_t minimum, Workspace& workspace) const
   {
-    constexpr std::size_t further_rings = 2;
     const auto all = [](const Index) { return true; };
 
     begin_query(i, workspace);
@@ -446,7 +461,7 @@ private:
     const std::size_t rings = m_neighborhood.count();
     std::size_t begin = 0;
     add_adjacent(i, workspace, all);
-    for(std::size_t ring = 1; ring < rings + further_rings; ++ring)
+    for(std::size_t ring = 1; ring < rings + s_further_rings; ++ring)
     {
       if(ring >= rings && count_usable(neighbors) >= minimum)
         break;
@@ -460,7 +475,7 @@ private:
   std::size_t count_usable(const std::vector<Index>& neighbors) const
   {
     return std::size_t(
-      std::count_if(neighbors.begin(), neighbors.end(), [&](const Index j) { return is_usable(j); }));
+        std::count_if(neighbors.begin(), neighbors.end(), [&](const Index j) { return is_usable(j); }));
   }
 
   void collect_ball(std::size_t i, Workspace& workspace) const

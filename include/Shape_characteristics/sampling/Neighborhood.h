@@ -53,9 +53,9 @@ public:
     return Neighborhood(Kind::NEAREST, number_of_neighbors, 0.);
   }
 
-  Kind kind() const noexcept { return m_kind; }           ///< what limits the neighborhood
-  std::size_t count() const noexcept { return m_count; }  ///< number of rings, or of nearest neighbors
-  double radius() const noexcept { return m_radius; }     ///< radius of the ball
+  Kind kind() const noexcept { return m_kind; }          ///< what limits the neighborhood
+  std::size_t count() const noexcept { return m_count; } ///< number of rings, or of nearest neighbors
+  double radius() const noexcept { return m_radius; }    ///< radius of the ball
 
 private:
   Neighborhood(Kind kind, std::size_t count, double radius) : m_kind(kind), m_count(count), m_radius(radius)
@@ -70,9 +70,9 @@ namespace internal {
 
 template <typename NamedParameters>
 inline constexpr int number_of_neighborhoods =
-  !parameters::is_default_parameter<NamedParameters, internal_np::number_of_rings_t>::value +
-  !parameters::is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value +
-  !parameters::is_default_parameter<NamedParameters, internal_np::number_of_neighbors_t>::value;
+    !parameters::is_default_parameter<NamedParameters, internal_np::number_of_rings_t>::value +
+    !parameters::is_default_parameter<NamedParameters, internal_np::neighbor_radius_t>::value +
+    !parameters::is_default_parameter<NamedParameters, internal_np::number_of_neighbors_t>::value;
 
 // the neighborhood that named parameters ask for on a mesh
 template <typename NamedParameters>
@@ -94,7 +94,7 @@ Neighborhood mesh_neighborhood(const NamedParameters& np)
   else
   {
     const long long rings =
-      static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_rings), 2));
+        static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_rings), 2));
     if(rings < 1 || rings > 1000000)
       throw std::invalid_argument("Shape_characteristics: number_of_rings must be positive");
     return Neighborhood::rings(static_cast<unsigned int>(rings));
@@ -121,7 +121,7 @@ Neighborhood point_set_neighborhood(const NamedParameters& np)
   else
   {
     const long long k =
-      static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 18));
+        static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 18));
     if(k < 1)
       throw std::invalid_argument("Shape_characteristics: number_of_neighbors must be positive");
     return Neighborhood::nearest(static_cast<std::size_t>(k));

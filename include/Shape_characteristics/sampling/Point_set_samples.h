@@ -2,17 +2,18 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_POINT_SET_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 
 #include <CGAL/Fuzzy_sphere.h>
 #include <CGAL/Kd_tree.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/property_map.h>
 #include <CGAL/Search_traits_3.h>
 #include <CGAL/Search_traits_adapter.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 
@@ -120,12 +121,10 @@ public:
                      Fuzzy_sphere(Index(i), m_neighborhood.radius(), 0., m_tree->traits()));
     else
       collect_nearest(i, m_neighborhood.count(), neighbors);
-    neighbors.erase(
-      std::remove_if(neighbors.begin(),
-                     neighbors.end(),
-                     [&](const Index j)
-                     { return j == Index(i) || !is_usable(j) || m_points[j] == m_points[i]; }),
-      neighbors.end());
+    neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
+                                   [&](const Index j)
+                                   { return j == Index(i) || !is_usable(j) || m_points[j] == m_points[i]; }),
+                    neighbors.end());
     workspace.m_order.sort(*this, i, neighbors);
     return neighbors;
   }
@@ -136,8 +135,7 @@ public:
     std::vector<Index> nearest;
     if(m_tree && m_points[i].allFinite())
       collect_nearest(i, 1, nearest);
-    return std::count_if(nearest.begin(),
-                         nearest.end(),
+    return std::count_if(nearest.begin(), nearest.end(),
                          [&](const Index j) { return m_points[j] == m_points[i]; }) > 1;
   }
 
@@ -191,7 +189,7 @@ public:
     m_normals = std::move(normals);
     for(std::size_t i = 0; i < size(); ++i)
     {
-      const double length = m_normals[i].stableNorm();
+      const double length = internal::length(m_normals[i]);
       if(length > 0. && std::isfinite(length))
         m_normals[i] = (m_normals[i] / length).normalized();
       else if(is_estimated(m_status[i]))
@@ -226,7 +224,7 @@ private:
       return;
     const Tree_points map = CGAL::make_property_map(std::as_const(*m_tree_points));
     m_tree =
-      std::make_unique<Tree>(finite.begin(), finite.end(), typename Tree::Splitter(), Search_traits(map));
+        std::make_unique<Tree>(finite.begin(), finite.end(), typename Tree::Splitter(), Search_traits(map));
     m_tree->build(); // a const query must not build it
   }
 
@@ -238,13 +236,9 @@ private:
     {
       nearest.clear();
       K_neighbor_search search(
-        *m_tree,
-        (*m_tree_points)[i],
-        static_cast<unsigned int>(k),
-        0.,
-        true,
-        typename K_neighbor_search::Distance(CGAL::make_property_map(std::as_const(*m_tree_points))),
-        false);
+          *m_tree, (*m_tree_points)[i], static_cast<unsigned int>(k), 0., true,
+          typename K_neighbor_search::Distance(CGAL::make_property_map(std::as_const(*m_tree_points))),
+          false);
       std::size_t elsewhere = 0;
       for(const auto& found : search)
       {

@@ -79,26 +79,25 @@ bool for_each_sample(std::size_t size,
   std::size_t done = 0;
   std::atomic<bool> go_on{true};
 
-  CGAL::for_each<ConcurrencyTag>(
-    blocks,
-    [&](const std::size_t begin)
-    {
-      if(!go_on.load(std::memory_order_relaxed))
-        return false;
-      const std::size_t end = (std::min)(begin + block_size, size);
-      std::unique_ptr<Workspace> workspace = pool.acquire();
-      for(std::size_t i = begin; i < end; ++i)
-        function(i, *workspace);
-      pool.release(std::move(workspace));
-      if(callback)
-      {
-        const std::lock_guard<std::mutex> lock(callback_mutex);
-        done += end - begin;
-        if(go_on && !callback(double(done) / double(size)))
-          go_on = false;
-      }
-      return true;
-    });
+  CGAL::for_each<ConcurrencyTag>(blocks,
+                                 [&](const std::size_t begin)
+                                 {
+                                   if(!go_on.load(std::memory_order_relaxed))
+                                     return false;
+                                   const std::size_t end = (std::min)(begin + block_size, size);
+                                   std::unique_ptr<Workspace> workspace = pool.acquire();
+                                   for(std::size_t i = begin; i < end; ++i)
+                                     function(i, *workspace);
+                                   pool.release(std::move(workspace));
+                                   if(callback)
+                                   {
+                                     const std::lock_guard<std::mutex> lock(callback_mutex);
+                                     done += end - begin;
+                                     if(go_on && !callback(double(done) / double(size)))
+                                       go_on = false;
+                                   }
+                                   return true;
+                                 });
   return go_on;
 }
 

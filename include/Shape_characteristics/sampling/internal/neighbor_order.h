@@ -40,8 +40,7 @@ public:
     m_keys.clear();
     for(const std::uint32_t j : neighbors)
       m_keys.emplace_back((samples.point(j) - p).squaredNorm(), j);
-    std::sort(m_keys.begin(),
-              m_keys.end(),
+    std::sort(m_keys.begin(), m_keys.end(),
               [&](const Key& a, const Key& b)
               {
                 if(a.first != b.first)
