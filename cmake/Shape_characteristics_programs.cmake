@@ -1,0 +1,50 @@
+# What the tests, examples and benchmarks have in common.
+#
+# Shape_characteristics_development    the library, our warnings and sanitizers, TBB where it is found
+# Shape_characteristics_OpenMesh       OpenMesh, where it is found
+# shape_characteristics_add_program()  one program from one source file
+
+option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
+set(SHAPE_CHARACTERISTICS_SANITIZERS "" CACHE STRING "What to sanitize: address,undefined or thread")
+
+add_library(Shape_characteristics_development INTERFACE)
+target_link_libraries(Shape_characteristics_development INTERFACE
+  Shape_characteristics::Shape_characteristics
+  $<TARGET_NAME_IF_EXISTS:Shape_characteristics::TBB_support>)
+target_compile_options(Shape_characteristics_development INTERFACE
+  -Wall -Wextra $<$<BOOL:${SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS}>:-Werror>)
+target_compile_definitions(Shape_characteristics_development INTERFACE
+  SHAPE_CHARACTERISTICS_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}")
+if(SHAPE_CHARACTERISTICS_SANITIZERS)
+  target_compile_options(Shape_characteristics_development INTERFACE
+    -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(Shape_characteristics_development INTERFACE
+    -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS})
+endif()
+
+# OpenMesh's own CMake files name include directories that Debian doesn't have
+find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh)
+find_library(OPENMESH_CORE_LIBRARY OpenMeshCore)
+mark_as_advanced(OPENMESH_INCLUDE_DIR OPENMESH_CORE_LIBRARY)
+add_library(Shape_characteristics_OpenMesh INTERFACE)
+if(OPENMESH_INCLUDE_DIR AND OPENMESH_CORE_LIBRARY)
+  target_include_directories(Shape_characteristics_OpenMesh SYSTEM INTERFACE ${OPENMESH_INCLUDE_DIR})
+  target_link_libraries(Shape_characteristics_OpenMesh INTERFACE ${OPENMESH_CORE_LIBRARY})
+  target_compile_definitions(Shape_characteristics_OpenMesh INTERFACE CGAL_USE_OPENMESH) # as CGAL's own tests say it
+endif()
+
+# Sets `result` to whether the file `source` includes a header whose name matches the regular expression `header`.
+function(shape_characteristics_includes result source header)
+  file(STRINGS ${source} lines REGEX "^[ \t]*#[ \t]*include[ \t]*[<\"]${header}[>\"]")
+  if(lines)
+    set(${result} TRUE PARENT_SCOPE)
+  else()
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Adds the program `target` from `source`, put below the build folder where its source is below the project's.
+function(shape_characteristics_add_program target source)
+  add_executable(${target} ${source})
+  target_link_libraries(${target} PRIVATE Shape_characteristics_development ${ARGN})
+endfunction()
