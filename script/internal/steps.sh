@@ -1,0 +1,45 @@
+# shellcheck shell=bash
+# Sourced by the scripts: they are lists of steps, which are announced, timed, and summed up at the end.
+
+steps=() # one line of the summary each
+failed=0
+
+# step <title> <command ...>: runs one command; its status is that of the step.
+step()
+{
+  local title=$1 start=$SECONDS status=0 outcome=ok
+  shift
+  printf '\n==== %s\n' "$title"
+  "$@" || status=$?
+  if (( status != 0 )); then
+    outcome=FAILED
+    failed=1
+  fi
+  local seconds=$(( SECONDS - start ))
+  printf -- '---- %s: %s, %d s\n' "$title" "$outcome" "$seconds"
+  steps+=("$(printf '%-60s %-6s %5d s' "$title" "$outcome" "$seconds")")
+  return $status
+}
+
+# Prints the steps, and exits: with 1 if one of them failed.
+finish()
+{
+  printf '\n==== Summary\n'
+  printf '%s\n' "${steps[@]}"
+  printf '%-60s %-6s %5d s\n' "all" "$( (( failed )) && echo FAILED || echo ok )" "$SECONDS"
+  exit $failed
+}
+
+# configure <preset>, build <preset> [target], run_tests <preset>
+configure() { cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=ON; }
+build() { cmake --build --preset "$1" --parallel "$(parallel_jobs)" ${2:+--target "$2"}; }
+run_tests() { ctest --preset "$1" --parallel "$(parallel_jobs)"; }
+
+# As many as there are processors, as far as memory goes: a compiler that reads CGAL and Eigen takes up to 1.5 GB.
+parallel_jobs()
+{
+  local processors memory
+  processors=$(nproc)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)
+  echo $(( memory < 1 ? 1 : memory < processors ? memory : processors ))
+}
