@@ -1,0 +1,46 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_CONVERSIONS_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_CONVERSIONS_H
+
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/internal/shape_operator.h>
+
+#include <CGAL/number_utils.h>
+
+namespace Shape_characteristics {
+
+namespace internal {
+
+// between CGAL's types and the ones of the calculus
+
+template <typename Vector_3>
+Eigen::Vector3d to_eigen_vector(const Vector_3& v)
+{
+  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
+}
+
+// any matrix type with m(i, j); its symmetric part's upper triangle
+template <typename Matrix>
+Eigen::Matrix3d to_eigen_matrix(const Matrix& m)
+{
+  Eigen::Matrix3d result;
+  for(int i = 0; i < 3; ++i)
+    for(int j = i; j < 3; ++j)
+      result(i, j) = result(j, i) = CGAL::to_double(m(i, j));
+  return result;
+}
+
+// The number type must have NaN, which stands for what is undefined.
+template <typename GeomTraits>
+Principal_curvatures_and_directions<GeomTraits> to_principal_curvatures(const Shape_operator_eigen& e)
+{
+  using FT = typename GeomTraits::FT;
+  using Vector_3 = typename GeomTraits::Vector_3;
+  const auto vector = [](const Eigen::Vector3d& v) { return Vector_3(FT(v.x()), FT(v.y()), FT(v.z())); };
+  return {FT(e.min_curvature), FT(e.max_curvature), vector(e.min_direction), vector(e.max_direction)};
+}
+
+} // namespace internal
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_CONVERSIONS_H
