@@ -37,7 +37,7 @@ write_header(normals/normals.h "#include <Shape_characteristics/Root.h>")
 write_header(curvature/internal/fit.h "#include <Shape_characteristics/normals/normals.h>")
 write_header(curvature/curvature.h
   "#include <Shape_characteristics/internal/shared.h>" "#include <Shape_characteristics/curvature/internal/fit.h>"
-  "inline void f(char* s) { std::snprintf(s, 1, \"\"); }")
+  "inline void f(char* s) { std::snprintf(s, 1, \"\")\; }")
 expect(find_wrong_includes)
 expect(find_wrong_guards)
 expect(find_output)
@@ -68,5 +68,6 @@ file(WRITE ${SCRATCH}/normals/unguarded.h "struct S {};\n")
 expect(find_wrong_guards "^normals/copied.h: " "^normals/unguarded.h: ")
 file(REMOVE ${SCRATCH}/normals/copied.h ${SCRATCH}/normals/unguarded.h)
 
-write_header(normals/prints.h "#include <iostream>" "inline void f() { std::cerr << 1" "}" "void g() { printf(\"\")" "}")
-expect(find_output "include <iostream>" "std::cerr" "printf")
+file(WRITE ${SCRATCH}/normals/prints.h
+  "#include <iostream>\ninline void f() { std::cerr << 1; }\nvoid g()\n{\n  printf(\"\");\n}\n")
+expect(find_output "^normals/prints.h: #include <iostream>" "std::cerr << 1" "printf")
