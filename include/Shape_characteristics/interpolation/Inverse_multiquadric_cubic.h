@@ -63,6 +63,8 @@ public:
   {
     const double r = std::sqrt(q), e2 = epsilon * epsilon, a = epsilon * r;
     const double inverse = 1 / (1 + e2 * q * a);
+    if(inverse == 0) // far away, where the other factors may overflow
+      return {0, 0, 0, 0};
     const double phi = std::sqrt(inverse), factor = -1.5 * e2 * inverse * phi;
     if(q < internal::coincidence_bound)
       return {phi, factor * a, 0, 0};

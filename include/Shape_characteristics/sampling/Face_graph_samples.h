@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/length.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 

@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_SHAPE_OPERATOR_H
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_SHAPE_OPERATOR_H
 
+#include <Shape_characteristics/internal/tangent_basis.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -44,17 +46,6 @@ inline double safe_norm(const Eigen::Vector3d& v) noexcept
   const double largest = v.cwiseAbs().maxCoeff();
   // a second division: 1 / largest may overflow
   return largest > 0 && std::isfinite(largest) ? largest * (v / largest).norm() : largest;
-}
-
-// two unit vectors orthogonal to the unit vector `normal` and to each other, right-handed (Duff et al., Building an
-// Orthonormal Basis, Revisited, 2017)
-inline void tangent_basis(const Eigen::Vector3d& normal, Eigen::Vector3d& t1, Eigen::Vector3d& t2) noexcept
-{
-  const double sign = std::copysign(1., normal.z());
-  const double a = -1 / (sign + normal.z());
-  const double b = normal.x() * normal.y() * a;
-  t1 = {1 + sign * normal.x() * normal.x() * a, sign * b, -sign * normal.x()};
-  t2 = {b, sign + normal.y() * normal.y() * a, -normal.y()};
 }
 
 // Eigenvalues and directions of the shape operator [l m; m n] given in the orthonormal tangent basis t1, t2 (convex

@@ -1,10 +1,11 @@
 #ifndef SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
 #define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
 
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -12,21 +13,6 @@
 
 namespace Shape_characteristics {
 namespace internal {
-
-// a strict weak order of all points; NaN comes last
-inline bool lexicographically_smaller(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
-{
-  for(int c = 0; c < 3; ++c)
-  {
-    if(p[c] < q[c])
-      return true;
-    if(q[c] < p[c])
-      return false;
-    if(std::isnan(p[c]) != std::isnan(q[c]))
-      return std::isnan(q[c]);
-  }
-  return false;
-}
 
 // Sorts neighbors by distance, then by coordinates: an order that the surface alone determines. Sums over a
 // neighborhood then have the same bits whatever the order of the input and the type of the mesh.

@@ -1,0 +1,196 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_WRITE_CURVATURES_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_WRITE_CURVATURES_H
+
+#include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
+
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/Kernel_traits.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <type_traits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// the answer of an estimator for one sample
+struct Curvature_estimate
+{
+  Estimation_status status = Estimation_status::CANCELLED;
+  Shape_operator_eigen curvatures; // NaN unless estimated
+
+  Curvature_estimate() = default;
+  explicit Curvature_estimate(Estimation_status status) : status(status) {}
+
+  // a value that isn't finite is no estimate
+  Curvature_estimate(Estimation_status if_finite, const Shape_operator_eigen& c)
+    : status(c.is_finite() ? if_finite : Estimation_status::DEGENERATE)
+  {
+    if(c.is_finite())
+      curvatures = c;
+  }
+
+  double mean() const { return curvatures.min_curvature / 2. + curvatures.max_curvature / 2.; }
+  double Gaussian() const { return curvatures.min_curvature * curvatures.max_curvature; }
+};
+
+// Principal_curvatures_and_directions of this library, or CGAL 6's
+template <typename Value>
+Value to_principal_curvatures(const Curvature_estimate& estimate)
+{
+  using FT = decltype(Value().min_curvature);
+  using Vector_3 = decltype(Value().min_direction);
+  const auto vector = [](const Eigen::Vector3d& d) { return Vector_3(FT(d.x()), FT(d.y()), FT(d.z())); };
+  const Shape_operator_eigen& c = estimate.curvatures;
+  return Value(FT(c.min_curvature), FT(c.max_curvature), vector(c.min_direction), vector(c.max_direction));
+}
+
+template <typename Map, typename Key>
+void put_curvatures(const Map& map, const Key& key, const Curvature_estimate& estimate)
+{
+  put(map, key, to_principal_curvatures<typename boost::property_traits<Map>::value_type>(estimate));
+}
+
+template <typename Map, typename Key>
+void put_number(const Map& map, const Key& key, double value)
+{
+  put(map, key, typename boost::property_traits<Map>::value_type(value));
+}
+
+// Faces of a soup have no neighbors, for each has its own copy of the vertices: says so instead of FEW_NEIGHBOURS.
+inline void mark_duplicates(const Face_graph_samples& samples, std::vector<Curvature_estimate>& estimates)
+{
+  std::vector<std::size_t> lonely;
+  for(std::size_t i = 0; i < estimates.size(); ++i)
+    if(estimates[i].status == Estimation_status::FEW_NEIGHBOURS)
+      lonely.push_back(i);
+  if(lonely.empty())
+    return;
+
+  std::vector<std::size_t> order(samples.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto is_before = [&](const std::size_t i, const std::size_t j)
+  { return lexicographically_smaller(samples.point(i), samples.point(j)); };
+  std::sort(order.begin(), order.end(), is_before);
+  for(const std::size_t i : lonely)
+  {
+    const auto equal = std::equal_range(order.begin(), order.end(), i, is_before);
+    if(equal.second - equal.first > 1)
+      estimates[i].status = Estimation_status::DUPLICATE;
+  }
+}
+
+inline std::size_t number_of_failures(const std::vector<Curvature_estimate>& estimates)
+{
+  std::size_t failures = 0;
+  for(const Curvature_estimate& estimate : estimates)
+    failures += !is_estimated(estimate.status);
+  return failures;
+}
+
+// writes what there is a map for, and returns the number of vertices without an estimate
+template <typename FaceGraph, typename NamedParameters>
+std::size_t write_to_mesh(const FaceGraph& mesh,
+                          const std::vector<Curvature_estimate>& estimates,
+                          const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  constexpr bool has_principal =
+    !is_default_parameter<NamedParameters,
+                          internal_np::vertex_principal_curvatures_and_directions_map_t>::value;
+  constexpr bool has_mean =
+    !is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_map_t>::value;
+  constexpr bool has_Gaussian =
+    !is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value;
+  constexpr bool has_status = !is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value;
+
+  std::size_t i = 0;
+  for(const auto v : vertices(mesh))
+  {
+    const Curvature_estimate& estimate = estimates[i++];
+    if constexpr(has_principal)
+      put_curvatures(get_parameter(np, internal_np::vertex_principal_curvatures_and_directions_map), v,
+                     estimate);
+    if constexpr(has_mean)
+      put_number(get_parameter(np, internal_np::vertex_mean_curvature_map), v, estimate.mean());
+    if constexpr(has_Gaussian)
+      put_number(get_parameter(np, internal_np::vertex_Gaussian_curvature_map), v, estimate.Gaussian());
+    if constexpr(has_status)
+      put(get_parameter(np, internal_np::vertex_status_map), v, estimate.status);
+    (void)v;
+  }
+  return number_of_failures(estimates);
+}
+
+template <typename PointRange, typename NamedParameters>
+std::size_t write_to_points(const PointRange& points,
+                            const std::vector<Curvature_estimate>& estimates,
+                            const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  constexpr bool has_principal =
+    !is_default_parameter<NamedParameters, internal_np::principal_curvatures_and_directions_map_t>::value;
+  constexpr bool has_mean = !is_default_parameter<NamedParameters, internal_np::mean_curvature_map_t>::value;
+  constexpr bool has_Gaussian =
+    !is_default_parameter<NamedParameters, internal_np::Gaussian_curvature_map_t>::value;
+  constexpr bool has_status = !is_default_parameter<NamedParameters, internal_np::status_map_t>::value;
+
+  std::size_t i = 0;
+  for(const auto& item : points)
+  {
+    const Curvature_estimate& estimate = estimates[i++];
+    if constexpr(has_principal)
+      put_curvatures(get_parameter(np, internal_np::principal_curvatures_and_directions_map), item, estimate);
+    if constexpr(has_mean)
+      put_number(get_parameter(np, internal_np::mean_curvature_map), item, estimate.mean());
+    if constexpr(has_Gaussian)
+      put_number(get_parameter(np, internal_np::Gaussian_curvature_map), item, estimate.Gaussian());
+    if constexpr(has_status)
+      put(get_parameter(np, internal_np::status_map), item, estimate.status);
+    (void)item;
+  }
+  return number_of_failures(estimates);
+}
+
+// writes what there is a reference for, and returns the status
+template <typename NamedParameters>
+Estimation_status write_to_references(const Curvature_estimate& estimate, const NamedParameters& np)
+{
+  using parameters::get_parameter_reference;
+  using parameters::is_default_parameter;
+
+  if constexpr(!is_default_parameter<NamedParameters,
+                                     internal_np::vertex_principal_curvatures_and_directions_t>::value)
+  {
+    auto& value = get_parameter_reference(np, internal_np::vertex_principal_curvatures_and_directions);
+    value = to_principal_curvatures<std::decay_t<decltype(value)> >(estimate);
+  }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_t>::value)
+  {
+    auto& value = get_parameter_reference(np, internal_np::vertex_mean_curvature);
+    value = std::decay_t<decltype(value)>(estimate.mean());
+  }
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_t>::value)
+  {
+    auto& value = get_parameter_reference(np, internal_np::vertex_Gaussian_curvature);
+    value = std::decay_t<decltype(value)>(estimate.Gaussian());
+  }
+  return estimate.status;
+}
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_WRITE_CURVATURES_H

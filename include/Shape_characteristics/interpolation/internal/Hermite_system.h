@@ -1,0 +1,215 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_SYSTEM_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_SYSTEM_H
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// value, gradient and Hessian matrix of a function at a point
+struct Hermite_jet
+{
+  double value = 0.;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
+};
+
+/*
+  The function (thesis, equation 3.9, with a linear trend)
+
+    f(x) = t . x + sum_j alpha_j phi(|x - p_j|) - beta_j . grad phi(|x - p_j|)
+
+  with prescribed values, and prescribed derivatives along some directions, at its centers p_j. One equation for
+  each; alpha_j belongs to the value, beta_j is spanned by the directions. With all three directions at each center that
+  is the thesis's system of 4m equations (3.11).
+
+  The matrix applies the functionals that define the data to both arguments of phi(|x - y|): it is symmetric, and positive
+  definite if phi is. With d = p_i - p_j, and phi, A, B the first three radial derivatives at |d|^2, its entries are
+
+    value at i, value at j            phi
+    value at i, derivative v at j     -A (v.d)
+    derivative u at i, value at j     A (u.d)
+    derivatives u at i, v at j        -A (u.v) - B (u.d) (v.d)
+
+  An object may be used again and again: it keeps its memory.
+*/
+template <typename RadialBasisFunction>
+class Hermite_system
+{
+public:
+  void clear(const RadialBasisFunction& phi, const Eigen::Vector3d& trend)
+  {
+    m_phi = phi;
+    // noise levels are meant for phi''(0) = -1
+    m_factor = RadialBasisFunction::is_positive_definite ? -1. / phi.radial_derivatives(0.)[1] : 1.;
+    m_trend = trend;
+    m_points.clear();
+    m_directions.clear();
+    m_first.assign(1, 0);
+    m_data.clear();
+  }
+
+  // a center, its value, and the derivatives there (of the trend and the rest together) along `directions`
+  template <std::size_t n>
+  void add_center(const Eigen::Vector3d& point,
+                  double value,
+                  const std::array<Eigen::Vector3d, n>& directions,
+                  const std::array<double, n>& derivatives)
+  {
+    m_points.push_back(point);
+    m_data.push_back(value - m_trend.dot(point));
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      m_directions.push_back(directions[k]);
+      m_data.push_back(derivatives[k] - m_trend.dot(directions[k]));
+    }
+    m_first.push_back(m_data.size());
+  }
+
+  std::size_t number_of_centers() const { return m_points.size(); }
+  std::size_t number_of_equations() const { return m_data.size(); }
+
+  // Solves with a positive definite phi. The noise variances are added to the diagonal: zero interpolates, more is the
+  // posterior mean of a Gaussian process. Returns false if the matrix is not positive definite in floating point.
+  bool solve_positive_definite(double value_noise, double derivative_noise)
+  {
+    const Eigen::Index n = assemble(true);
+    Eigen::Map<Eigen::MatrixXd> matrix(m_matrix.data(), n, n);
+    for(std::size_t j = 0; j < number_of_centers(); ++j)
+    {
+      matrix(Eigen::Index(m_first[j]), Eigen::Index(m_first[j])) += value_noise;
+      for(std::size_t k = m_first[j] + 1; k < m_first[j + 1]; ++k)
+        matrix(Eigen::Index(k), Eigen::Index(k)) += derivative_noise;
+    }
+    Eigen::Ref<Eigen::MatrixXd> in_place(matrix);
+    const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> cholesky(in_place);
+    if(cholesky.info() != Eigen::Success)
+      return false;
+    m_weights = m_data;
+    Eigen::Map<Eigen::VectorXd> weights(m_weights.data(), n);
+    cholesky.matrixL().solveInPlace(weights);
+    m_log_likelihood = -weights.squaredNorm() / 2.;
+    for(Eigen::Index k = 0; k < n; ++k)
+      m_log_likelihood -= std::log(matrix(k, k));
+    cholesky.matrixU().solveInPlace(weights);
+    collect_weights();
+    return weights.allFinite();
+  }
+
+  // Solves with any phi, by LU with partial pivoting (thesis, 8.1.4). Returns false if the matrix is singular to the
+  // last digit.
+  bool solve_indefinite()
+  {
+    const Eigen::Index n = assemble(false);
+    Eigen::Map<Eigen::MatrixXd> matrix(m_matrix.data(), n, n);
+    Eigen::Ref<Eigen::MatrixXd> in_place(matrix);
+    const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd> > lu(in_place);
+    if(!(lu.rcond() > std::numeric_limits<double>::epsilon() / 64.))
+      return false;
+    m_weights = m_data;
+    Eigen::Map<Eigen::VectorXd> weights(m_weights.data(), n);
+    weights = lu.solve(Eigen::Map<const Eigen::VectorXd>(m_data.data(), n)).eval();
+    collect_weights();
+    return weights.allFinite();
+  }
+
+  // log of the probability density of the data, up to a constant: after solve_positive_definite()
+  double log_likelihood() const { return m_log_likelihood; }
+
+  Hermite_jet operator()(const Eigen::Vector3d& x) const
+  {
+    Hermite_jet jet;
+    jet.value = m_trend.dot(x);
+    jet.gradient = m_trend;
+    for(std::size_t j = 0; j < number_of_centers(); ++j)
+    {
+      const Eigen::Vector3d d = x - m_points[j];
+      const auto [phi, A, B, C] = m_phi.radial_derivatives(d.squaredNorm());
+      const double alpha = m_factor * m_alpha[j];
+      const Eigen::Vector3d beta = m_factor * m_beta[j];
+      const double s = beta.dot(d);
+      jet.value += alpha * phi - A * s;
+      jet.gradient += (alpha * A - B * s) * d - A * beta;
+      jet.hessian +=
+          (alpha * B - C * s) * d * d.transpose() - B * (beta * d.transpose() + d * beta.transpose());
+      jet.hessian.diagonal().array() += alpha * A - B * s;
+    }
+    return jet;
+  }
+
+private:
+  // fills the lower triangle, or all
+  Eigen::Index assemble(bool lower)
+  {
+    const Eigen::Index n = Eigen::Index(number_of_equations());
+    m_matrix.resize(std::size_t(n) * std::size_t(n));
+    Eigen::Map<Eigen::MatrixXd> matrix(m_matrix.data(), n, n);
+    for(std::size_t j = 0; j < number_of_centers(); ++j)
+      for(std::size_t i = j; i < number_of_centers(); ++i)
+        assemble_block(i, j, matrix);
+    if(!lower)
+      matrix.template triangularView<Eigen::StrictlyUpper>() = matrix.transpose();
+    return n;
+  }
+
+  void assemble_block(std::size_t i, std::size_t j, Eigen::Map<Eigen::MatrixXd>& matrix)
+  {
+    const Eigen::Vector3d d = m_points[i] - m_points[j];
+    const std::array<double, 4> radial = m_phi.radial_derivatives(d.squaredNorm());
+    const double A = m_factor * radial[1], B = m_factor * radial[2];
+    const Eigen::Index row = Eigen::Index(m_first[i]), column = Eigen::Index(m_first[j]);
+    const Eigen::Index rows = Eigen::Index(m_first[i + 1]) - row;
+    const Eigen::Index columns = Eigen::Index(m_first[j + 1]) - column;
+    const Eigen::Vector3d* u = m_directions.data() + (m_first[i] - i);
+    const Eigen::Vector3d* v = m_directions.data() + (m_first[j] - j);
+
+    std::array<double, 3> ud{};
+    for(Eigen::Index k = 1; k < rows; ++k)
+      ud[k - 1] = u[k - 1].dot(d);
+    matrix(row, column) = m_factor * radial[0];
+    for(Eigen::Index k = 1; k < rows; ++k)
+      matrix(row + k, column) = A * ud[k - 1];
+    for(Eigen::Index l = 1; l < columns; ++l)
+    {
+      const double vd = v[l - 1].dot(d);
+      matrix(row, column + l) = -A * vd;
+      for(Eigen::Index k = 1; k < rows; ++k)
+        matrix(row + k, column + l) = -A * u[k - 1].dot(v[l - 1]) - B * ud[k - 1] * vd;
+    }
+  }
+
+  void collect_weights()
+  {
+    m_alpha.resize(number_of_centers());
+    m_beta.resize(number_of_centers());
+    for(std::size_t j = 0; j < number_of_centers(); ++j)
+    {
+      m_alpha[j] = m_weights[m_first[j]];
+      m_beta[j].setZero();
+      for(std::size_t k = m_first[j] + 1; k < m_first[j + 1]; ++k)
+        m_beta[j] += m_weights[k] * m_directions[k - 1 - j];
+    }
+  }
+
+  RadialBasisFunction m_phi;
+  double m_factor = 1.;
+  Eigen::Vector3d m_trend = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> m_points, m_directions, m_beta;
+  std::vector<std::size_t> m_first = std::vector<std::size_t>(1, 0); // equation of each center's value
+  std::vector<double> m_data, m_weights, m_alpha, m_matrix;
+  double m_log_likelihood = 0.;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_SYSTEM_H

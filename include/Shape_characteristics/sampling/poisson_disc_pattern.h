@@ -1,0 +1,78 @@
+#ifndef SHAPE_CHARACTERISTICS_SAMPLING_POISSON_DISC_PATTERN_H
+#define SHAPE_CHARACTERISTICS_SAMPLING_POISSON_DISC_PATTERN_H
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace Shape_characteristics {
+
+/*!
+  \ingroup PkgShapeCharacteristicsSampling
+
+  returns points of the unit disc, none closer to another than `distance`, and packed until no random
+  candidate fits any more (R. Bridson, Fast Poisson Disk Sampling in Arbitrary Dimensions, 2007; thesis,
+  section 8.1.3). `distance` 0.3 gives about 30 points.
+
+  The same arguments give the same points on every platform.
+
+  \param distance the minimal distance, in (0, 1]
+  \param random_seed the seed of the random numbers
+  \throws std::invalid_argument if `distance` is not in (0, 1]
+*/
+inline std::vector<Eigen::Vector2d> poisson_disc_pattern(double distance = 0.3, std::uint64_t random_seed = 0)
+{
+  if(!(distance > 0. && distance <= 1.))
+    throw std::invalid_argument("Shape_characteristics: sampling_distance must be in (0, 1]");
+
+  constexpr int candidates = 30; // Bridson's k
+  constexpr double two_pi = 6.283185307179586476925286766559;
+  std::mt19937_64 engine(random_seed);
+  const auto uniform = [&] { return double(engine() >> 11) * 0x1p-53; }; // the library's distributions differ
+  const auto fits = [&](const std::vector<Eigen::Vector2d>& points, const Eigen::Vector2d& candidate)
+  {
+    if(candidate.squaredNorm() > 1.)
+      return false;
+    for(const Eigen::Vector2d& p : points)
+      if((p - candidate).squaredNorm() < distance * distance)
+        return false;
+    return true;
+  };
+
+  const double r = std::sqrt(uniform()), angle = two_pi * uniform();
+  std::vector<Eigen::Vector2d> points(1, Eigen::Vector2d(r * std::cos(angle), r * std::sin(angle)));
+  std::vector<std::size_t> active(1, 0);
+  while(!active.empty())
+  {
+    const std::size_t k = std::size_t(uniform() * double(active.size()));
+    bool found = false;
+    for(int attempt = 0; attempt < candidates && !found; ++attempt)
+    {
+      // uniform in the annulus between the distance and twice the distance
+      const double radius = distance * std::sqrt(1. + 3. * uniform()), phi = two_pi * uniform();
+      const Eigen::Vector2d candidate =
+          points[active[k]] + radius * Eigen::Vector2d(std::cos(phi), std::sin(phi));
+      found = fits(points, candidate);
+      if(found)
+      {
+        active.push_back(points.size());
+        points.push_back(candidate);
+      }
+    }
+    if(!found)
+    {
+      active[k] = active.back();
+      active.pop_back();
+    }
+  }
+  return points;
+}
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_SAMPLING_POISSON_DISC_PATTERN_H
