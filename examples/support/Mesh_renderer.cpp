@@ -1,0 +1,661 @@
+#include "Mesh_renderer.h"
+
+#include "local_spacing.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace support {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+// ----------------------------------------------------------------------------------------- vectors
+
+Vector operator-(const Vector& a, const Vector& b)
+{
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+Vector operator*(double s, const Vector& a)
+{
+  return {s * a[0], s * a[1], s * a[2]};
+}
+double dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+Vector cross(const Vector& a, const Vector& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+bool is_finite(const Vector& a)
+{
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+// Of unit length, or 0 if there is no direction.
+Vector normalized(const Vector& a)
+{
+  const double largest = std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
+  if(!(largest > 0) || !std::isfinite(largest))
+    return {0, 0, 0};
+  const Vector b = {a[0] / largest, a[1] / largest, a[2] / largest};
+  return (1 / std::sqrt(dot(b, b))) * b;
+}
+
+// ----------------------------------------------------------------------------------------- shaders
+
+const char* const mesh_vertex_shader = R"(#version 430 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 2) in vec2 vertex_value; // place in the gradient and 1; or 0 and 0 if missing
+uniform mat4 projection;
+out vec3 normal;
+out vec3 eye_position;
+out vec2 value;
+void main()
+{
+  normal = vertex_normal;
+  eye_position = position;
+  value = vertex_value;
+  gl_Position = projection * vec4(position, 1);
+}
+)";
+
+// A disc in the tangent plane, drawn as a square; the fragment shader cuts its corners.
+const char* const splat_vertex_shader = R"(#version 430 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 vertex_normal;
+layout(location = 2) in vec2 vertex_value;
+layout(location = 3) in float radius;
+uniform mat4 projection;
+out vec3 normal;
+out vec3 eye_position;
+out vec2 value;
+out vec2 disc;
+flat out float disc_radius;
+void main()
+{
+  vec3 n = vertex_normal;
+  if(dot(n, n) == 0)
+    n = normalize(-position);
+  vec3 u = normalize(abs(n.x) < abs(n.y) ? vec3(0, -n.z, n.y) : vec3(-n.z, 0, n.x));
+  vec3 v = cross(n, u);
+  disc = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID >> 1) * 2 - 1);
+  disc_radius = radius;
+  normal = n;
+  eye_position = position + radius * (disc.x * u + disc.y * v);
+  value = vertex_value;
+  gl_Position = projection * vec4(eye_position, 1);
+}
+)";
+
+// Light is computed in linear colours. The surface that faces the eye shows nearly the gradient's colour.
+const char* const fragment_shader = R"(
+uniform mat4 projection;
+uniform sampler1D gradient;
+uniform vec3 plain_color;
+uniform vec3 missing_color;
+uniform bool colored;
+uniform float hatch_period;
+in vec3 normal;
+in vec3 eye_position;
+in vec2 value;
+layout(location = 0) out vec4 fragment_color;
+
+vec3 linear(vec3 c) { return pow(c, vec3(2.2)); }
+
+vec3 lit(vec3 base)
+{
+  vec3 to_eye = normalize(-eye_position);
+  vec3 n = normalize(normal);
+  if(dot(n, n) == 0 || isnan(n.x))
+    n = to_eye;
+  if(dot(n, to_eye) < 0)
+    n = -n; // seen from inside
+  vec3 key = normalize(vec3(-0.45, 0.62, 0.75));
+  vec3 fill = normalize(vec3(0.8, 0.05, 0.55));
+  float from_key = max((dot(n, key) + 0.25) / 1.25, 0);
+  float from_fill = max(dot(n, fill), 0);
+  float from_sky = 0.5 + 0.5 * n.y;
+  float facing = max(dot(n, to_eye), 0);
+  float light = 0.13 + 0.14 * from_sky + 0.62 * from_key * from_key + 0.17 * from_fill + 0.06 * facing;
+  float shine = pow(max(dot(n, normalize(key + to_eye)), 0), 42);
+  float rim = pow(1 - facing, 4);
+  return base * light * (1 - 0.25 * rim) + vec3(0.12 * shine);
+}
+
+vec3 surface_color()
+{
+  if(!colored)
+    return plain_color;
+  float known = value.y;
+  if(known < 0.5)
+  {
+    // stripes of the picture's plane, with edges one pixel wide
+    float stripe = abs(fract((gl_FragCoord.x + gl_FragCoord.y) / hatch_period) - 0.5) * 4 - 1;
+    return missing_color * mix(0.78, 1.12, smoothstep(-0.35, 0.35, stripe));
+  }
+  // interpolated among the corners whose value is known
+  return texture(gradient, (clamp(value.x / known, 0, 1) * 1023 + 0.5) / 1024).rgb;
+}
+
+void shade()
+{
+  fragment_color = vec4(pow(lit(linear(surface_color())), vec3(1 / 2.2)), 1);
+}
+)";
+
+const char* const mesh_main = R"(
+void main() { shade(); }
+)";
+
+// Each disc bulges a little away from the eye towards its rim, so that neighbours meet half-way instead of
+// covering each other by chance.
+const char* const splat_main = R"(
+in vec2 disc;
+flat in float disc_radius;
+void main()
+{
+  float r2 = dot(disc, disc);
+  if(r2 > 1)
+    discard;
+  vec4 p = projection * vec4(eye_position * (1 + 0.35 * disc_radius * r2 / length(eye_position)), 1);
+  gl_FragDepth = 0.5 + 0.5 * p.z / p.w;
+  shade();
+}
+)";
+
+GLuint compiled(GLenum kind, const std::string& source)
+{
+  const GLuint shader = glCreateShader(kind);
+  const char* text = source.c_str();
+  glShaderSource(shader, 1, &text, nullptr);
+  glCompileShader(shader);
+  GLint good = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &good);
+  if(!good)
+  {
+    char log[2000] = "";
+    glGetShaderInfoLog(shader, sizeof log, nullptr, log);
+    glDeleteShader(shader);
+    throw std::runtime_error(std::string("Mesh_renderer: a shader doesn't compile: ") + log);
+  }
+  return shader;
+}
+
+GLuint linked(const std::string& vertex_source, const std::string& fragment_source)
+{
+  const GLuint vertex = compiled(GL_VERTEX_SHADER, vertex_source);
+  const GLuint fragment = compiled(GL_FRAGMENT_SHADER, fragment_source);
+  const GLuint program = glCreateProgram();
+  glAttachShader(program, vertex);
+  glAttachShader(program, fragment);
+  glLinkProgram(program);
+  glDeleteShader(vertex);
+  glDeleteShader(fragment);
+  GLint good = 0;
+  glGetProgramiv(program, GL_LINK_STATUS, &good);
+  if(!good)
+  {
+    char log[2000] = "";
+    glGetProgramInfoLog(program, sizeof log, nullptr, log);
+    glDeleteProgram(program);
+    throw std::runtime_error(std::string("Mesh_renderer: a program doesn't link: ") + log);
+  }
+  return program;
+}
+
+// ------------------------------------------------------------------------------------- eye space
+
+// The shape moved and scaled into a box around the origin of about unit size, turned so that the eye
+// looks along -z. All in double; what goes to OpenGL in float afterwards is small and centred.
+struct Eye_space
+{
+  Vector center;
+  double scale = 1;
+  Vector right, up, back;
+  Vector eye = {0, 0, 0}; // in turned and scaled coordinates
+
+  Vector turn(const Vector& a) const { return {dot(right, a), dot(up, a), dot(back, a)}; }
+  Vector place(const Vector& p) const
+  {
+    // Scaled before the difference is taken: the difference of huge coordinates may overflow.
+    return turn(scale * p - scale * center) - eye;
+  }
+};
+
+struct Frustum
+{
+  double slope_x, slope_y; // half the picture's size at distance 1
+  double near_plane, far_plane;
+};
+
+Eye_space looked_at(const Camera& camera, const Vector& low, const Vector& high)
+{
+  Eye_space space;
+  double extent = 0;
+  for(std::size_t c = 0; c < 3; ++c)
+  {
+    space.center[c] = low[c] / 2 + high[c] / 2;
+    extent = std::max(extent, high[c] / 2 - low[c] / 2);
+  }
+  space.scale = extent > std::numeric_limits<double>::min() ? 1 / extent : 1;
+  space.back = normalized(camera.towards_eye);
+  if(dot(space.back, space.back) == 0)
+    throw std::invalid_argument("Mesh_renderer: camera: towards_eye is no direction");
+  space.right = normalized(cross(camera.up, space.back));
+  if(dot(space.right, space.right) < 0.5) // looked at along `up`
+    space.right =
+        normalized(cross(std::abs(space.back[0]) < 0.7 ? Vector{1, 0, 0} : Vector{0, 1, 0}, space.back));
+  space.up = cross(space.back, space.right);
+  return space;
+}
+
+// Moves the eye as near as the shape's points (with their radii) permit: each side of the viewing
+// frustum touches the shape or, for the picture's other direction, leaves equal space at both sides.
+Frustum framed(Eye_space& space,
+               const std::vector<Vector>& placed,
+               const std::vector<double>& radii,
+               const Render_options& options)
+{
+  const double longer = std::max(options.width, options.height),
+               shorter = std::min(options.width, options.height);
+  const double slope = std::tan(options.camera.field_of_view * pi / 360);
+  Frustum frustum;
+  frustum.slope_x = slope * options.width / longer;
+  frustum.slope_y = slope * options.height / longer;
+  const double free = options.margin * shorter;
+  const double tx = frustum.slope_x * (1 - 2 * free / options.width);
+  const double ty = frustum.slope_y * (1 - 2 * free / options.height);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double left = -infinity, right = -infinity, bottom = -infinity, top = -infinity, front = -infinity,
+         back = infinity;
+  for(std::size_t i = 0; i < placed.size(); ++i)
+  {
+    const Vector& p = placed[i];
+    const double r = radii.empty() ? 0 : radii[i];
+    const double rx = r * std::sqrt(1 + tx * tx), ry = r * std::sqrt(1 + ty * ty);
+    right = std::max(right, p[0] + tx * p[2] + rx);
+    left = std::max(left, -p[0] + tx * p[2] + rx);
+    top = std::max(top, p[1] + ty * p[2] + ry);
+    bottom = std::max(bottom, -p[1] + ty * p[2] + ry);
+    front = std::max(front, p[2] + r);
+    back = std::min(back, p[2] - r);
+  }
+  space.eye[0] = (right - left) / 2;
+  space.eye[1] = (top - bottom) / 2;
+  space.eye[2] = std::max({(right + left) / (2 * tx), (top + bottom) / (2 * ty), front + 1e-3});
+  const double depth = std::max(front - back, 1e-3);
+  frustum.near_plane = std::max(space.eye[2] - front - 0.01 * depth, 1e-3 * (space.eye[2] - back));
+  frustum.far_plane = space.eye[2] - back + 0.01 * depth;
+  return frustum;
+}
+
+// ----------------------------------------------------------------------------------------- vertices
+
+struct Gpu_vertex
+{
+  float position[3];
+  float normal[3];
+  float value[2];
+  float radius;
+};
+
+Gpu_vertex gpu_vertex(const Vector& position, const Vector& normal, double radius)
+{
+  return {{float(position[0]), float(position[1]), float(position[2])},
+          {float(normal[0]), float(normal[1]), float(normal[2])},
+          {0, 0},
+          float(radius)};
+}
+
+void set_value(Gpu_vertex& vertex, const Drawable& shape, std::size_t point, const Value_range& range)
+{
+  if(shape.scalars.empty() || std::isnan(shape.scalars[point]))
+    return;
+  // bounded, so that infinite values make no NaN where they are interpolated
+  vertex.value[0] = float(std::min(std::max(range.position(shape.scalars[point]), -1e4), 1e4));
+  vertex.value[1] = 1;
+}
+
+// The normal of each triangle's corner: the average over the triangles around its point, weighted by
+// area, of those whose planes differ by at most the crease angle.
+std::vector<Vector> corner_normals(const std::vector<Vector>& placed,
+                                   const std::vector<std::array<std::size_t, 3>>& triangles,
+                                   double crease_angle)
+{
+  std::vector<Vector> area_normals, unit_normals;
+  std::vector<std::size_t> first(placed.size() + 1, 0), around(3 * triangles.size());
+  for(const auto& t : triangles)
+  {
+    area_normals.push_back(cross(placed[t[1]] - placed[t[0]], placed[t[2]] - placed[t[0]]));
+    unit_normals.push_back(normalized(area_normals.back()));
+    for(std::size_t v : t)
+      ++first[v + 1];
+  }
+  for(std::size_t i = 0; i < placed.size(); ++i)
+    first[i + 1] += first[i];
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    for(std::size_t v : triangles[f])
+      around[next[v]++] = f;
+  const double limit = std::cos(crease_angle * pi / 180);
+  std::vector<Vector> normals;
+  for(std::size_t f = 0; f < triangles.size(); ++f)
+    for(std::size_t v : triangles[f])
+    {
+      Vector sum = {0, 0, 0};
+      for(std::size_t k = first[v]; k < first[v + 1]; ++k)
+        if(dot(unit_normals[f], unit_normals[around[k]]) >= limit)
+          for(std::size_t c = 0; c < 3; ++c)
+            sum[c] += area_normals[around[k]][c];
+      normals.push_back(normalized(sum));
+    }
+  return normals;
+}
+
+// Names of OpenGL that are given back whatever happens.
+struct Gl_names
+{
+  std::vector<GLuint> buffers, arrays, renderbuffers, framebuffers, textures;
+  ~Gl_names()
+  {
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindVertexArray(0);
+    for(GLuint n : buffers)
+      glDeleteBuffers(1, &n);
+    for(GLuint n : arrays)
+      glDeleteVertexArrays(1, &n);
+    for(GLuint n : renderbuffers)
+      glDeleteRenderbuffers(1, &n);
+    for(GLuint n : framebuffers)
+      glDeleteFramebuffers(1, &n);
+    for(GLuint n : textures)
+      glDeleteTextures(1, &n);
+  }
+  GLuint framebuffer(int samples, int width, int height, bool depth)
+  {
+    GLuint target, color;
+    glGenFramebuffers(1, &target);
+    framebuffers.push_back(target);
+    glBindFramebuffer(GL_FRAMEBUFFER, target);
+    glGenRenderbuffers(1, &color);
+    renderbuffers.push_back(color);
+    glBindRenderbuffer(GL_RENDERBUFFER, color);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    if(depth)
+    {
+      GLuint depths;
+      glGenRenderbuffers(1, &depths);
+      renderbuffers.push_back(depths);
+      glBindRenderbuffer(GL_RENDERBUFFER, depths);
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT32F, width, height);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
+    }
+    if(glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+      throw std::runtime_error("Mesh_renderer: no framebuffer of " + std::to_string(width) + " x " +
+                               std::to_string(height) + " pixels with " + std::to_string(samples) +
+                               " samples");
+    return target;
+  }
+};
+
+void check(const Drawable& shape, const Render_options& options)
+{
+  if(options.width <= 0 || options.height <= 0)
+    throw std::invalid_argument("Mesh_renderer: width and height must be positive");
+  if(!(options.camera.field_of_view > 0 && options.camera.field_of_view < 150))
+    throw std::invalid_argument("Mesh_renderer: camera: field_of_view must be in (0,150)");
+  if(!(options.margin >= 0 && options.margin < 0.45))
+    throw std::invalid_argument("Mesh_renderer: margin must be in [0,0.45)");
+  if(!(options.splat_size > 0))
+    throw std::invalid_argument("Mesh_renderer: splat_size must be positive");
+  if(!shape.normals.empty() && shape.normals.size() != shape.points.size())
+    throw std::invalid_argument("Mesh_renderer: there must be as many normals as points, or none");
+  if(!shape.scalars.empty() && shape.scalars.size() != shape.points.size())
+    throw std::invalid_argument("Mesh_renderer: there must be as many scalars as points, or none");
+  if(!(options.range.low < options.range.high))
+    throw std::invalid_argument("Mesh_renderer: range is empty");
+}
+
+} // namespace
+
+Mesh_renderer::Mesh_renderer()
+{
+  mesh_program_ =
+      linked(mesh_vertex_shader, std::string("#version 430 core\n") + fragment_shader + mesh_main);
+  splat_program_ =
+      linked(splat_vertex_shader, std::string("#version 430 core\n") + fragment_shader + splat_main);
+}
+
+Mesh_renderer::~Mesh_renderer()
+{
+  try
+  {
+    context_.make_current();
+    glDeleteProgram(mesh_program_);
+    glDeleteProgram(splat_program_);
+  }
+  catch(const std::runtime_error&)
+  {
+    // the programs go with the context
+  }
+}
+
+Image Mesh_renderer::render(const Drawable& shape, const Render_options& options)
+{
+  check(shape, options);
+  Image image(options.width, options.height,
+              {options.background.r, options.background.g, options.background.b, 255});
+
+  // What is drawn: triangles without bad points, or the good points.
+  const bool is_mesh = !shape.triangles.empty();
+  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<char> used(shape.points.size(), !is_mesh);
+  for(const auto& t : shape.triangles)
+  {
+    const auto good = [&](std::size_t v) { return v < shape.points.size() && is_finite(shape.points[v]); };
+    if(good(t[0]) && good(t[1]) && good(t[2]))
+    {
+      triangles.push_back(t);
+      used[t[0]] = used[t[1]] = used[t[2]] = 1;
+    }
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vector low = {infinity, infinity, infinity}, high = {-infinity, -infinity, -infinity};
+  for(std::size_t i = 0; i < shape.points.size(); ++i)
+  {
+    used[i] = used[i] && is_finite(shape.points[i]);
+    for(std::size_t c = 0; used[i] && c < 3; ++c)
+    {
+      low[c] = std::min(low[c], shape.points[i][c]);
+      high[c] = std::max(high[c], shape.points[i][c]);
+    }
+  }
+  Eye_space space = looked_at(options.camera, low[0] <= high[0] ? low : Vector{0, 0, 0},
+                              low[0] <= high[0] ? high : Vector{0, 0, 0});
+  if(!(low[0] <= high[0]))
+    return image;
+
+  std::vector<Vector> placed;        // the used points, and
+  std::vector<std::size_t> original; // which they are
+  std::vector<std::size_t> index(shape.points.size(), 0);
+  for(std::size_t i = 0; i < shape.points.size(); ++i)
+    if(used[i])
+    {
+      index[i] = placed.size();
+      placed.push_back(space.place(shape.points[i]));
+      original.push_back(i);
+    }
+  for(auto& t : triangles)
+    t = {index[t[0]], index[t[1]], index[t[2]]};
+
+  std::vector<double> radii;
+  if(!is_mesh)
+  {
+    // Isolated points shall not become plates: bounded by a multiple of the typical spacing.
+    radii = local_spacing(placed);
+    const double typical = percentile(radii, 0.5);
+    for(double& r : radii)
+      r = options.splat_size * std::min(std::max(0.75 * r, 0.1 * typical), 2 * typical);
+    if(typical == 0)
+      radii.assign(radii.size(), options.splat_size * (placed.size() == 1 ? 1 : 0.02));
+  }
+  const Frustum frustum = framed(space, placed, radii, options);
+  for(Vector& p : placed)
+    p = p - space.eye;
+
+  std::vector<Gpu_vertex> vertices;
+  const auto given_normal = [&](std::size_t i) {
+    return shape.normals.empty() ? Vector{0, 0, 0} : space.turn(normalized(shape.normals[original[i]]));
+  };
+  if(is_mesh)
+  {
+    const std::vector<Vector> normals = corner_normals(placed, triangles, options.crease_angle);
+    for(std::size_t corner = 0; corner < normals.size(); ++corner)
+    {
+      const std::size_t i = triangles[corner / 3][corner % 3];
+      const Vector given = given_normal(i);
+      vertices.push_back(gpu_vertex(placed[i], dot(given, given) > 0 ? given : normals[corner], 0));
+      set_value(vertices.back(), shape, original[i], options.range);
+    }
+  }
+  else
+    for(std::size_t i = 0; i < placed.size(); ++i)
+    {
+      vertices.push_back(gpu_vertex(placed[i], given_normal(i), radii[i]));
+      set_value(vertices.back(), shape, original[i], options.range);
+    }
+  if(vertices.empty())
+    return image;
+
+  // Each pixel has 2 x 2 fragments with 4 samples each of the shape's edges.
+  context_.make_current();
+  Gl_names names;
+  GLint max_size = 0, max_samples = 0;
+  glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_size);
+  glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
+  const int finer = 2 * std::max(options.width, options.height) <= max_size ? 2 : 1;
+  const int width = finer * options.width, height = finer * options.height;
+  const GLuint multisampled = names.framebuffer(std::min(4, int(max_samples)), width, height, true);
+
+  glViewport(0, 0, width, height);
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glClearColor(options.background.r / 255.f, options.background.g / 255.f, options.background.b / 255.f, 1);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if(!is_mesh)
+  {
+    glEnable(GL_SAMPLE_SHADING); // a disc's rim is cut in the fragment shader
+    glMinSampleShading(1);
+  }
+  else
+    glDisable(GL_SAMPLE_SHADING);
+
+  GLuint array = 0, buffer = 0, texture = 0;
+  glGenVertexArrays(1, &array);
+  names.arrays.push_back(array);
+  glBindVertexArray(array);
+  glGenBuffers(1, &buffer);
+  names.buffers.push_back(buffer);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(Gpu_vertex)), vertices.data(),
+               GL_STATIC_DRAW);
+  const auto attribute = [&](GLuint location, GLint size, std::size_t offset)
+  {
+    glEnableVertexAttribArray(location);
+    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, sizeof(Gpu_vertex),
+                          reinterpret_cast<const void*>(offset));
+    glVertexAttribDivisor(location, is_mesh ? 0 : 1);
+  };
+  attribute(0, 3, offsetof(Gpu_vertex, position));
+  attribute(1, 3, offsetof(Gpu_vertex, normal));
+  attribute(2, 2, offsetof(Gpu_vertex, value));
+  attribute(3, 1, offsetof(Gpu_vertex, radius));
+
+  std::vector<float> texels;
+  for(int i = 0; i < 1024; ++i)
+    for(double channel : options.gradient(i / 1023.))
+      texels.push_back(float(channel));
+  glGenTextures(1, &texture);
+  names.textures.push_back(texture);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_1D, texture);
+  glTexImage1D(GL_TEXTURE_1D, 0, GL_RGB16F, 1024, 0, GL_RGB, GL_FLOAT, texels.data());
+  glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+
+  const GLuint program = is_mesh ? mesh_program_ : splat_program_;
+  glUseProgram(program);
+  const auto uniform = [&](const char* name) { return glGetUniformLocation(program, name); };
+  const double n = frustum.near_plane, f = frustum.far_plane;
+  const float projection[16] = {float(1 / frustum.slope_x),
+                                0,
+                                0,
+                                0,
+                                0,
+                                float(1 / frustum.slope_y),
+                                0,
+                                0,
+                                0,
+                                0,
+                                float((f + n) / (n - f)),
+                                -1,
+                                0,
+                                0,
+                                float(2 * f * n / (n - f)),
+                                0};
+  glUniformMatrix4fv(uniform("projection"), 1, GL_FALSE, projection);
+  glUniform1i(uniform("gradient"), 0);
+  const auto color_uniform = [&](const char* name, Rgba c)
+  { glUniform3f(uniform(name), c.r / 255.f, c.g / 255.f, c.b / 255.f); };
+  color_uniform("plain_color", options.plain_color);
+  color_uniform("missing_color", missing_value_color);
+  glUniform1i(uniform("colored"), shape.scalars.empty() ? 0 : 1);
+  glUniform1f(uniform("hatch_period"),
+              float(finer * std::max(6., std::min(options.width, options.height) / 90.)));
+  if(is_mesh)
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
+  else
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(vertices.size()));
+
+  const GLuint resolved = names.framebuffer(0, width, height, false);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
+  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+  std::vector<std::uint8_t> fine(std::size_t(width) * std::size_t(height) * 4);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, fine.data());
+  const GLenum error = glGetError();
+  if(error != GL_NO_ERROR)
+    throw std::runtime_error("Mesh_renderer: OpenGL reports error " + std::to_string(error));
+
+  const auto mean = [&](int x, int y, int channel)
+  {
+    unsigned sum = 0;
+    for(int dy = 0; dy < finer; ++dy)
+      for(int dx = 0; dx < finer; ++dx)
+        sum += fine[(std::size_t(y * finer + dy) * std::size_t(width) + std::size_t(x * finer + dx)) * 4 +
+                    std::size_t(channel)];
+    return std::uint8_t((sum + unsigned(finer * finer) / 2) / unsigned(finer * finer));
+  };
+  for(int y = 0; y < options.height; ++y)
+    for(int x = 0; x < options.width; ++x) // OpenGL's rows start at the bottom
+      image.at(x, options.height - 1 - y) = {mean(x, y, 0), mean(x, y, 1), mean(x, y, 2), 255};
+  return image;
+}
+
+} // namespace support
