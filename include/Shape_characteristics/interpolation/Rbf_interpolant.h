@@ -240,7 +240,9 @@ private:
             phi.radial_derivatives((centers.col(i) - centers.col(j)).squaredNorm())[0];
 
     const Eigen::PartialPivLU<Eigen::MatrixXd> factors(matrix);
-    rcond = factors.rcond();
+    // the estimate passes over pivots that are exactly zero, which duplicate points give
+    const bool is_singular = (factors.matrixLU().diagonal().array() == 0).any();
+    rcond = is_singular ? 0 : factors.rcond();
     if(!std::isfinite(rcond))
       rcond = 0;
     weights = factors.solve(data);
