@@ -127,7 +127,7 @@ vec3 lit(vec3 base)
   float from_fill = max(dot(n, fill), 0);
   float from_sky = 0.5 + 0.5 * n.y;
   float facing = max(dot(n, to_eye), 0);
-  float light = 0.13 + 0.14 * from_sky + 0.62 * from_key * from_key + 0.17 * from_fill + 0.06 * facing;
+  float light = min(1.06, 0.22 + 0.16 * from_sky + 0.78 * from_key * from_key + 0.18 * from_fill + 0.1 * facing);
   float shine = pow(max(dot(n, normalize(key + to_eye)), 0), 42);
   float rim = pow(1 - facing, 4);
   return base * light * (1 - 0.25 * rim) + vec3(0.12 * shine);

@@ -26,7 +26,7 @@ struct Render_options
   Rgba background = {255, 255, 255, 255};  ///< its opacity is ignored
   Rgba plain_color = {214, 210, 202, 255}; ///< of shapes without scalars
   double margin = 0.03;                    ///< free space at each side, as a fraction of the shorter side
-  double crease_angle = 40;                ///< computed normals are not averaged over edges sharper than this
+  double crease_angle = 60;                ///< computed normals are not averaged over edges sharper than this
   double splat_size = 1; ///< the discs of a point set, relative to the size that closes gaps
 };
 
