@@ -17,7 +17,7 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 double curvature_of_a_ball(double radius)
 {
   Mesh mesh;
-  CGAL::make_icosahedron(mesh);
+  CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(2));
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;
   for(const Mesh::Vertex_index v : mesh.vertices())
