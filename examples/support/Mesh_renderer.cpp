@@ -70,18 +70,19 @@ void main()
 }
 )";
 
-// A disc in the tangent plane, drawn as a square; the fragment shader cuts its corners.
+// A disc in the tangent plane, drawn as a square; the fragment shader cuts its corners. `push` moves it
+// away from the eye, in radii, along the lines of sight: its outline stays.
 const char* const splat_vertex_shader = R"(#version 430 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 vertex_normal;
 layout(location = 2) in vec2 vertex_value;
 layout(location = 3) in float radius;
 uniform mat4 projection;
+uniform float push;
 out vec3 normal;
 out vec3 eye_position;
 out vec2 value;
 out vec2 disc;
-flat out float disc_radius;
 void main()
 {
   vec3 n = vertex_normal;
@@ -90,35 +91,39 @@ void main()
   vec3 u = normalize(abs(n.x) < abs(n.y) ? vec3(0, -n.z, n.y) : vec3(-n.z, 0, n.x));
   vec3 v = cross(n, u);
   disc = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID >> 1) * 2 - 1);
-  disc_radius = radius;
   normal = n;
   eye_position = position + radius * (disc.x * u + disc.y * v);
+  eye_position *= 1 + push * radius / length(eye_position);
   value = vertex_value;
   gl_Position = projection * vec4(eye_position, 1);
 }
 )";
 
-// Light is computed in linear colours. The surface that faces the eye shows nearly the gradient's colour.
-const char* const fragment_shader = R"(
+// A triangle that covers the picture.
+const char* const picture_vertex_shader = R"(#version 430 core
 uniform mat4 projection;
+out vec3 eye_direction;
+void main()
+{
+  vec2 corner = vec2((gl_VertexID & 1) * 4 - 1, (gl_VertexID >> 1) * 4 - 1);
+  eye_direction = vec3(corner.x / projection[0][0], corner.y / projection[1][1], -1);
+  gl_Position = vec4(corner, 0, 1);
+}
+)";
+
+// Light is computed in linear colours. The surface that faces the eye shows nearly the gradient's colour.
+const char* const shading = R"(#version 430 core
 uniform sampler1D gradient;
 uniform vec3 plain_color;
 uniform vec3 missing_color;
 uniform bool colored;
 uniform float hatch_period;
-in vec3 normal;
-in vec3 eye_position;
-in vec2 value;
-layout(location = 0) out vec4 fragment_color;
 
-vec3 linear(vec3 c) { return pow(c, vec3(2.2)); }
-
-vec3 lit(vec3 base)
+vec3 lit(vec3 base, vec3 n, vec3 to_eye)
 {
-  vec3 to_eye = normalize(-eye_position);
-  vec3 n = normalize(normal);
-  if(dot(n, n) == 0 || isnan(n.x))
+  if(dot(n, n) == 0)
     n = to_eye;
+  n = normalize(n);
   if(dot(n, to_eye) < 0)
     n = -n; // seen from inside
   vec3 key = normalize(vec3(-0.45, 0.62, 0.75));
@@ -133,7 +138,8 @@ vec3 lit(vec3 base)
   return base * light * (1 - 0.25 * rim) + vec3(0.12 * shine);
 }
 
-vec3 surface_color()
+// `value`: the place in the gradient times how far it is known, and how far it is known.
+vec3 surface_color(vec2 value)
 {
   if(!colored)
     return plain_color;
@@ -148,29 +154,59 @@ vec3 surface_color()
   return texture(gradient, (clamp(value.x / known, 0, 1) * 1023 + 0.5) / 1024).rgb;
 }
 
-void shade()
+vec4 shaded(vec3 color, vec3 n, vec3 to_eye)
 {
-  fragment_color = vec4(pow(lit(linear(surface_color())), vec3(1 / 2.2)), 1);
+  return vec4(pow(lit(pow(color, vec3(2.2)), n, to_eye), vec3(1 / 2.2)), 1);
 }
 )";
 
-const char* const mesh_main = R"(
-void main() { shade(); }
+const char* const mesh_fragment_shader = R"(
+in vec3 normal;
+in vec3 eye_position;
+in vec2 value;
+layout(location = 0) out vec4 fragment_color;
+void main() { fragment_color = shaded(surface_color(value), normal, normalize(-eye_position)); }
 )";
 
-// Each disc bulges a little away from the eye towards its rim, so that neighbours meet half-way instead of
-// covering each other by chance.
-const char* const splat_main = R"(
+// The discs' normals and values are added up where they overlap, with weights that fall towards the rims,
+const char* const splat_fragment_shader = R"(#version 430 core
+in vec3 normal;
+in vec3 eye_position;
+in vec2 value;
 in vec2 disc;
-flat in float disc_radius;
+layout(location = 0) out vec4 normal_sum;
+layout(location = 1) out vec4 value_sum;
 void main()
 {
   float r2 = dot(disc, disc);
   if(r2 > 1)
     discard;
-  vec4 p = projection * vec4(eye_position * (1 + 0.35 * disc_radius * r2 / length(eye_position)), 1);
-  gl_FragDepth = 0.5 + 0.5 * p.z / p.w;
-  shade();
+  float weight = exp(-4 * r2);
+  normal_sum = weight * vec4(normal, 1);
+  value_sum = weight * vec4(value, dot(normal, eye_position) > 0 ? 1 : 0, 1);
+}
+)";
+
+// and the averages are lit. The inside of a surface, which shows through its gaps, is left pale, so that
+// it isn't taken for the outside.
+const char* const splat_picture_fragment_shader = R"(
+uniform sampler2D normal_sums;
+uniform sampler2D value_sums;
+uniform vec3 background;
+in vec3 eye_direction;
+layout(location = 0) out vec4 fragment_color;
+void main()
+{
+  vec4 normal = texelFetch(normal_sums, ivec2(gl_FragCoord.xy), 0);
+  vec4 value = texelFetch(value_sums, ivec2(gl_FragCoord.xy), 0);
+  fragment_color = vec4(background, 1);
+  if(normal.w > 0)
+  {
+    vec3 color = surface_color(value.xy / value.w);
+    if(value.z > 0.5 * value.w)
+      color = mix(vec3(dot(color, vec3(0.3, 0.6, 0.1))), vec3(0.93), 0.85);
+    fragment_color = shaded(color, normal.xyz, -normalize(eye_direction));
+  }
 }
 )";
 
@@ -382,33 +418,45 @@ struct Gl_names
     for(GLuint n : textures)
       glDeleteTextures(1, &n);
   }
-  GLuint framebuffer(int samples, int width, int height, bool depth)
+  // Leaves the new framebuffer bound.
+  GLuint framebuffer()
   {
-    GLuint target, color;
-    glGenFramebuffers(1, &target);
-    framebuffers.push_back(target);
-    glBindFramebuffer(GL_FRAMEBUFFER, target);
-    glGenRenderbuffers(1, &color);
-    renderbuffers.push_back(color);
-    glBindRenderbuffer(GL_RENDERBUFFER, color);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-    if(depth)
-    {
-      GLuint depths;
-      glGenRenderbuffers(1, &depths);
-      renderbuffers.push_back(depths);
-      glBindRenderbuffer(GL_RENDERBUFFER, depths);
-      glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT32F, width, height);
-      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depths);
-    }
-    if(glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-      throw std::runtime_error("Mesh_renderer: no framebuffer of " + std::to_string(width) + " x " +
-                               std::to_string(height) + " pixels with " + std::to_string(samples) +
-                               " samples");
-    return target;
+    GLuint name;
+    glGenFramebuffers(1, &name);
+    framebuffers.push_back(name);
+    glBindFramebuffer(GL_FRAMEBUFFER, name);
+    return name;
+  }
+  void attach_renderbuffer(GLenum attachment, GLenum format, int samples, int width, int height)
+  {
+    GLuint name;
+    glGenRenderbuffers(1, &name);
+    renderbuffers.push_back(name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+  }
+  // Leaves the texture bound to the unit.
+  void attach_texture(GLenum attachment, GLenum format, int unit, int width, int height)
+  {
+    GLuint name;
+    glGenTextures(1, &name);
+    textures.push_back(name);
+    glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexStorage2D(GL_TEXTURE_2D, 1, format, width, height);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, name, 0);
   }
 };
+
+void check_framebuffer(int width, int height)
+{
+  if(glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+    throw std::runtime_error("Mesh_renderer: no framebuffer of " + std::to_string(width) + " x " +
+                             std::to_string(height) + " pixels");
+}
 
 void check(const Drawable& shape, const Render_options& options)
 {
@@ -432,10 +480,10 @@ void check(const Drawable& shape, const Render_options& options)
 
 Mesh_renderer::Mesh_renderer()
 {
-  mesh_program_ =
-      linked(mesh_vertex_shader, std::string("#version 430 core\n") + fragment_shader + mesh_main);
-  splat_program_ =
-      linked(splat_vertex_shader, std::string("#version 430 core\n") + fragment_shader + splat_main);
+  mesh_program_ = linked(mesh_vertex_shader, std::string(shading) + mesh_fragment_shader);
+  splat_program_ = linked(splat_vertex_shader, splat_fragment_shader);
+  splat_picture_program_ =
+      linked(picture_vertex_shader, std::string(shading) + splat_picture_fragment_shader);
 }
 
 Mesh_renderer::~Mesh_renderer()
@@ -445,6 +493,7 @@ Mesh_renderer::~Mesh_renderer()
     context_.make_current();
     glDeleteProgram(mesh_program_);
     glDeleteProgram(splat_program_);
+    glDeleteProgram(splat_picture_program_);
   }
   catch(const std::runtime_error&)
   {
@@ -507,7 +556,7 @@ Image Mesh_renderer::render(const Drawable& shape, const Render_options& options
     radii = local_spacing(placed);
     const double typical = percentile(radii, 0.5);
     for(double& r : radii)
-      r = options.splat_size * std::min(std::max(0.75 * r, 0.1 * typical), 2 * typical);
+      r = options.splat_size * std::min(std::max(1.1 * r, 0.1 * typical), 4 * typical);
     if(typical == 0)
       radii.assign(radii.size(), options.splat_size * (placed.size() == 1 ? 1 : 0.02));
   }
@@ -539,29 +588,16 @@ Image Mesh_renderer::render(const Drawable& shape, const Render_options& options
   if(vertices.empty())
     return image;
 
-  // Each pixel has 2 x 2 fragments with 4 samples each of the shape's edges.
+  // Each pixel has 2 x 2 fragments of a mesh, with 4 samples each of its edges, or 3 x 3 of a point set.
   context_.make_current();
   Gl_names names;
   GLint max_size = 0, max_samples = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_size);
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
-  const int finer = 2 * std::max(options.width, options.height) <= max_size ? 2 : 1;
+  int finer = is_mesh ? 2 : 3;
+  while(finer > 1 && finer * std::max(options.width, options.height) > max_size)
+    --finer;
   const int width = finer * options.width, height = finer * options.height;
-  const GLuint multisampled = names.framebuffer(std::min(4, int(max_samples)), width, height, true);
-
-  glViewport(0, 0, width, height);
-  glEnable(GL_DEPTH_TEST);
-  glDisable(GL_CULL_FACE);
-  glDisable(GL_BLEND);
-  glClearColor(options.background.r / 255.f, options.background.g / 255.f, options.background.b / 255.f, 1);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  if(!is_mesh)
-  {
-    glEnable(GL_SAMPLE_SHADING); // a disc's rim is cut in the fragment shader
-    glMinSampleShading(1);
-  }
-  else
-    glDisable(GL_SAMPLE_SHADING);
 
   GLuint array = 0, buffer = 0, texture = 0;
   glGenVertexArrays(1, &array);
@@ -597,45 +633,93 @@ Image Mesh_renderer::render(const Drawable& shape, const Render_options& options
   glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_1D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
 
-  const GLuint program = is_mesh ? mesh_program_ : splat_program_;
-  glUseProgram(program);
-  const auto uniform = [&](const char* name) { return glGetUniformLocation(program, name); };
   const double n = frustum.near_plane, f = frustum.far_plane;
-  const float projection[16] = {float(1 / frustum.slope_x),
-                                0,
-                                0,
-                                0,
-                                0,
-                                float(1 / frustum.slope_y),
-                                0,
-                                0,
-                                0,
-                                0,
-                                float((f + n) / (n - f)),
-                                -1,
-                                0,
-                                0,
-                                float(2 * f * n / (n - f)),
-                                0};
-  glUniformMatrix4fv(uniform("projection"), 1, GL_FALSE, projection);
-  glUniform1i(uniform("gradient"), 0);
-  const auto color_uniform = [&](const char* name, Rgba c)
-  { glUniform3f(uniform(name), c.r / 255.f, c.g / 255.f, c.b / 255.f); };
-  color_uniform("plain_color", options.plain_color);
-  color_uniform("missing_color", missing_value_color);
-  glUniform1i(uniform("colored"), shape.scalars.empty() ? 0 : 1);
-  glUniform1f(uniform("hatch_period"),
-              float(finer * std::max(6., std::min(options.width, options.height) / 90.)));
-  if(is_mesh)
-    glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
-  else
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(vertices.size()));
+  float projection[16] = {};
+  projection[0] = float(1 / frustum.slope_x);
+  projection[5] = float(1 / frustum.slope_y);
+  projection[10] = float((f + n) / (n - f));
+  projection[11] = -1;
+  projection[14] = float(2 * f * n / (n - f));
+  const auto use = [&](GLuint program)
+  {
+    glUseProgram(program);
+    const auto uniform = [&](const char* name) { return glGetUniformLocation(program, name); };
+    const auto color_uniform = [&](const char* name, Rgba c)
+    { glUniform3f(uniform(name), c.r / 255.f, c.g / 255.f, c.b / 255.f); };
+    glUniformMatrix4fv(uniform("projection"), 1, GL_FALSE, projection);
+    glUniform1i(uniform("gradient"), 0);
+    glUniform1i(uniform("normal_sums"), 1);
+    glUniform1i(uniform("value_sums"), 2);
+    color_uniform("plain_color", options.plain_color);
+    color_uniform("missing_color", missing_value_color);
+    color_uniform("background", options.background);
+    glUniform1i(uniform("colored"), shape.scalars.empty() ? 0 : 1);
+    glUniform1f(uniform("hatch_period"),
+                float(finer * std::max(6., std::min(options.width, options.height) / 90.)));
+  };
 
-  const GLuint resolved = names.framebuffer(0, width, height, false);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled);
-  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved);
-  glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+  glViewport(0, 0, width, height);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_DEPTH_CLAMP); // what is pushed away below shall not vanish
+  if(is_mesh)
+  {
+    const int samples = std::min(4, int(max_samples));
+    const GLuint multisampled = names.framebuffer();
+    names.attach_renderbuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, samples, width, height);
+    names.attach_renderbuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, samples, width, height);
+    check_framebuffer(width, height);
+    glClearColor(options.background.r / 255.f, options.background.g / 255.f, options.background.b / 255.f, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    use(mesh_program_);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(vertices.size()));
+
+    const GLuint resolved = names.framebuffer();
+    names.attach_renderbuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, 0, width, height);
+    check_framebuffer(width, height);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, multisampled);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved);
+  }
+  else
+  {
+    names.framebuffer();
+    names.attach_texture(GL_COLOR_ATTACHMENT0, GL_RGBA32F, 1, width, height);
+    names.attach_texture(GL_COLOR_ATTACHMENT1, GL_RGBA32F, 2, width, height);
+    names.attach_renderbuffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, 0, width, height);
+    const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glDrawBuffers(2, targets);
+    check_framebuffer(width, height);
+    glClearColor(0, 0, 0, 0);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    use(splat_program_);
+    const auto draw = [&](float push)
+    {
+      glUniform1f(glGetUniformLocation(splat_program_, "push"), push);
+      glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, GLsizei(vertices.size()));
+    };
+    // First how far one sees, with some tolerance, so that then the discs of one sheet are added up but
+    // not those behind it.
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    draw(0.8f);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    draw(0);
+
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    names.framebuffer();
+    names.attach_renderbuffer(GL_COLOR_ATTACHMENT0, GL_RGBA8, 0, width, height);
+    check_framebuffer(width, height);
+    use(splat_picture_program_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
   std::vector<std::uint8_t> fine(std::size_t(width) * std::size_t(height) * 4);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, fine.data());
