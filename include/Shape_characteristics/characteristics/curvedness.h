@@ -35,8 +35,9 @@ auto curvedness(const PrincipalCurvatures& curvatures) -> std::decay_t<decltype(
     return FT(std::numeric_limits<double>::quiet_NaN());
   constexpr double sqrt_half = 0.70710678118654752440;
   const double largest = std::max(std::abs(k_min), std::abs(k_max));
-  return FT(largest > 1 ? std::hypot(sqrt_half * k_min, sqrt_half * k_max)
-                        : sqrt_half * std::hypot(k_min, k_max));
+  return FT(largest > std::numeric_limits<double>::max() / 2
+                ? std::hypot(sqrt_half * k_min, sqrt_half * k_max)
+                : sqrt_half * std::hypot(k_min, k_max));
 }
 
 } // namespace Shape_characteristics

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <type_traits>
 
@@ -40,7 +41,7 @@ auto is_umbilic(const PrincipalCurvatures& curvatures, double tolerance = 1e-6)
   const double largest = std::max(std::abs(k_min), std::abs(k_max));
   if(!(std::isfinite(k_min) && std::isfinite(k_max)))
     return false;
-  if(largest > 1) // halves, so that no difference overflows, unless they would vanish
+  if(largest > std::numeric_limits<double>::max() / 2) // the difference would overflow
     return std::abs(0.5 * k_max - 0.5 * k_min) <= tolerance * (0.5 * largest);
   return std::abs(k_max - k_min) <= tolerance * largest;
 }

@@ -1,0 +1,127 @@
+#define BOOST_TEST_MODULE normal_curvature_and_surface_class
+#include <boost/test/unit_test.hpp>
+
+#include <Shape_characteristics/curvature/implicit_surface_curvatures.h>
+#include <Shape_characteristics/curvature/normal_curvature.h>
+#include <Shape_characteristics/curvature/surface_class.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <string>
+
+namespace SC = Shape_characteristics;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector_3 = Kernel::Vector_3;
+using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
+
+namespace {
+
+Curvatures curvatures(double k_min, double k_max)
+{
+  return {k_min, k_max, Vector_3(0, 1, 0), Vector_3(1, 0, 0)};
+}
+
+} // namespace
+
+BOOST_TEST_DONT_PRINT_LOG_VALUE(SC::Surface_class)
+
+// the second derivative of the surface along the direction is the oracle
+BOOST_AUTO_TEST_CASE(equals_the_quadratic_form_of_the_hessian)
+{
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  for(int i = 0; i < 1000; ++i)
+  {
+    Eigen::Matrix3d h = Eigen::Matrix3d::Random();
+    h = (h + h.transpose()).eval();
+    const Vector_3 g(entry(random), entry(random), entry(random));
+    const Vector_3 t = CGAL::cross_product(g, Vector_3(entry(random), entry(random), entry(random)));
+    const Eigen::Vector3d d = Eigen::Vector3d(t.x(), t.y(), t.z()).normalized();
+    const double expected = d.dot(h * d) / std::sqrt(g.squared_length());
+
+    const Curvatures c = SC::implicit_surface_curvatures(g, h);
+    const double size = 1 + h.norm() / std::sqrt(g.squared_length());
+    BOOST_TEST(std::abs(SC::normal_curvature(c, t) - expected) < 1e-13 * size);
+    BOOST_TEST(std::abs(SC::normal_curvature(c, -1e-200 * t) - expected) < 1e-13 * size);
+    BOOST_TEST(std::abs(SC::normal_curvature(c, 1e200 * t) - expected) < 1e-13 * size);
+    // its tangential part counts
+    BOOST_TEST(std::abs(SC::normal_curvature(c, t + 0.5 * g) - expected) < 1e-12 * size);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(by_angle_and_by_direction)
+{
+  const Curvatures c = curvatures(-1, 3);
+  for(double alpha : {0., 0.3, 0.7853981633974483, 1.5707963267948966, 2., -0.3})
+  {
+    const double expected = 3 * std::pow(std::cos(alpha), 2) - std::pow(std::sin(alpha), 2);
+    BOOST_TEST(std::abs(SC::normal_curvature(c, alpha) - expected) < 1e-14);
+    BOOST_TEST(std::abs(SC::normal_curvature(c, Vector_3(std::cos(alpha), std::sin(alpha), 0)) - expected) <
+               1e-14);
+  }
+  BOOST_TEST(SC::normal_curvature(c, Vector_3(5, 0, 0)) == 3);
+  BOOST_TEST(SC::normal_curvature(c, Vector_3(0, -5, 0)) == -1);
+  BOOST_TEST(SC::normal_curvature(c, 0) == 3);
+}
+
+BOOST_AUTO_TEST_CASE(no_tangent_direction)
+{
+  const Curvatures c = curvatures(-1, 3);
+  const double quiet_nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
+  for(const Vector_3& d :
+      {Vector_3(0, 0, 0), Vector_3(0, 0, 4), Vector_3(0, quiet_nan, 1), Vector_3(inf, 0, 0)})
+    BOOST_TEST(std::isnan(SC::normal_curvature(c, d)));
+  BOOST_TEST(std::isnan(SC::normal_curvature(Curvatures(), Vector_3(1, 0, 0)))); // no directions
+  BOOST_TEST(std::isnan(SC::normal_curvature(curvatures(quiet_nan, quiet_nan), Vector_3(1, 0, 0))));
+}
+
+// Table 4.1, all nine entries
+BOOST_AUTO_TEST_CASE(classes_of_the_table)
+{
+  using C = SC::Surface_class;
+  const C table[3][3] = {{C::CONCAVE_ELLIPSOID, C::CONCAVE_CYLINDER, C::HYPERBOLOID},
+                         {C::CONCAVE_CYLINDER, C::PLANE, C::CONVEX_CYLINDER},
+                         {C::HYPERBOLOID, C::CONVEX_CYLINDER, C::CONVEX_ELLIPSOID}};
+  for(double scale : {1e-300, 1e-10, 1., 1e300})
+    for(int i = -1; i <= 1; ++i)
+      for(int j = -1; j <= 1; ++j)
+        BOOST_TEST((SC::surface_class(curvatures(i * scale, j * 0.5 * scale)) == table[i + 1][j + 1]));
+}
+
+BOOST_AUTO_TEST_CASE(class_tolerances)
+{
+  using C = SC::Surface_class;
+  BOOST_TEST((SC::surface_class(curvatures(-0.0009, 1)) == C::CONVEX_CYLINDER));
+  BOOST_TEST((SC::surface_class(curvatures(-0.0011, 1)) == C::HYPERBOLOID));
+  BOOST_TEST((SC::surface_class(curvatures(-0.0009, 1), 0) == C::HYPERBOLOID));
+  BOOST_TEST((SC::surface_class(curvatures(-0.09, 1), 0.1) == C::CONVEX_CYLINDER));
+  BOOST_TEST((SC::surface_class(curvatures(-1, 0.0005)) == C::CONCAVE_CYLINDER));
+  BOOST_TEST((SC::surface_class(curvatures(-1e-9, 1e-8)) == C::HYPERBOLOID));
+  BOOST_TEST((SC::surface_class(curvatures(-1e-9, 1e-8), 0, 1e-8) == C::PLANE));
+  BOOST_TEST((SC::surface_class(curvatures(-1e-9, 1.1e-8), 0, 1e-8) == C::CONVEX_CYLINDER));
+
+  const double quiet_nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
+  for(double wrong : {quiet_nan, inf, -inf})
+  {
+    BOOST_TEST((SC::surface_class(curvatures(wrong, 1)) == C::UNDEFINED));
+    BOOST_TEST((SC::surface_class(curvatures(-1, wrong)) == C::UNDEFINED));
+  }
+  for(double wrong : {-0.1, 1., quiet_nan})
+    BOOST_CHECK_THROW(SC::surface_class(curvatures(0, 1), wrong), std::invalid_argument);
+  for(double wrong : {-0.1, quiet_nan})
+    BOOST_CHECK_THROW(SC::surface_class(curvatures(0, 1), 0, wrong), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(class_names_differ)
+{
+  std::set<std::string> names;
+  for(int i = 0; i <= static_cast<int>(SC::Surface_class::UNDEFINED); ++i)
+    names.insert(SC::to_string(static_cast<SC::Surface_class>(i)));
+  BOOST_TEST(names.size() == 7u);
+  BOOST_TEST(names.count("") == 0u);
+}
