@@ -61,7 +61,8 @@ BOOST_AUTO_TEST_CASE(formulas_over_the_range_of_double)
     const long double k1 = c.max_curvature, k2 = c.min_curvature;
     const long double size = std::max(std::abs(k1), std::abs(k2));
 
-    BOOST_TEST(std::abs(SC::mean_curvature(c) - (k1 + k2) / 2) <= 1e-16L * size);
+    BOOST_TEST(std::abs(SC::mean_curvature(c) - (k1 + k2) / 2) <=
+               0x1p-53L * size /* half a unit in the last place */);
     if(std::abs(k1 * k2) < largest && std::abs(k1 * k2) > 1e-300)
       BOOST_TEST(std::abs(SC::Gaussian_curvature(c) - k1 * k2) <= 3e-16L * std::abs(k1 * k2));
     BOOST_TEST(std::abs(SC::curvedness(c) - std::sqrt((k1 * k1 + k2 * k2) / 2)) <= 5e-16L * size);

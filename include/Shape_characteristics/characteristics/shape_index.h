@@ -38,9 +38,8 @@ auto shape_index(const PrincipalCurvatures& curvatures) -> std::decay_t<decltype
   double k_min = CGAL::to_double(curvatures.min_curvature), k_max = CGAL::to_double(curvatures.max_curvature);
   if(!(std::isfinite(k_min) && std::isfinite(k_max)) || (k_min == 0 && k_max == 0))
     return FT(std::numeric_limits<double>::quiet_NaN());
-  if(std::max(std::abs(k_min), std::abs(k_max)) >
-     1) // halves, so that no sum overflows, unless they would vanish
-  {
+  if(std::max(std::abs(k_min), std::abs(k_max)) > std::numeric_limits<double>::max() / 2)
+  { // the sum or the difference would overflow
     k_min *= 0.5;
     k_max *= 0.5;
   }
