@@ -47,6 +47,9 @@ BOOST_AUTO_TEST_CASE(equals_the_quadratic_form_of_the_hessian)
     BOOST_TEST(std::abs(SC::normal_curvature(c, t) - expected) < 1e-13 * size);
     BOOST_TEST(std::abs(SC::normal_curvature(c, -1e-200 * t) - expected) < 1e-13 * size);
     BOOST_TEST(std::abs(SC::normal_curvature(c, 1e200 * t) - expected) < 1e-13 * size);
+    // nothing but rounding errors is tangential in a normal
+    BOOST_TEST(std::isnan(SC::normal_curvature(c, g)));
+    BOOST_TEST(std::isnan(SC::normal_curvature(c, -1e9 * g)));
     // its tangential part counts
     BOOST_TEST(std::abs(SC::normal_curvature(c, t + 0.5 * g) - expected) < 1e-12 * size);
   }

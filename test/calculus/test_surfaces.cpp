@@ -329,6 +329,13 @@ BOOST_AUTO_TEST_CASE(parametric_surface_without_tangent_plane)
   const Vector_3 a(1, 2, 3), b(0, 1, 0);
   check_nan(SC::parametric_surface_curvatures(a, 2 * a, b, b, b));
   check_nan(SC::parametric_surface_curvatures(a, Vector_3(0, 0, 0), b, b, b));
+  // parallel up to rounding errors
+  for(int i = 1; i < 50; ++i)
+  {
+    const Vector_3 c(0.1, 0.7, -std::sqrt(0.3));
+    check_nan(SC::parametric_surface_curvatures(c, std::sin(1. * i) * c, b, b, b));
+    BOOST_TEST(std::isnan(SC::Fundamental_forms<Kernel>(c, std::sin(1. * i) * c, b, b, b).normal().x()));
+  }
   check_nan(SC::parametric_surface_curvatures(a, b, Vector_3(0, 0, std::nan("")), b, b));
   const SC::Fundamental_forms<Kernel> pole(a, Vector_3(0, 0, 0), b, b, b);
   BOOST_TEST(std::isnan(pole.normal().x()));

@@ -30,7 +30,7 @@ auto Willmore_energy(const PrincipalCurvatures& curvatures)
   using FT = std::decay_t<decltype(curvatures.min_curvature)>;
   const double k_min = CGAL::to_double(curvatures.min_curvature),
                k_max = CGAL::to_double(curvatures.max_curvature);
-  const double half_difference = 0.5 * k_max - 0.5 * k_min;
+  const double half_difference = 0.5 * (k_max - k_min);
   return FT(half_difference * half_difference);
 }
 

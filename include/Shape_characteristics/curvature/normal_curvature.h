@@ -34,7 +34,7 @@ typename GeomTraits::FT normal_curvature(const Principal_curvatures_and_directio
   const double s = unit.dot(internal::to_eigen_vector(curvatures.min_direction));
   const double square = c * c + s * s;
   // of a direction along the normal, rounding alone leaves a tangential part
-  constexpr double noise = 4 * std::numeric_limits<double>::epsilon();
+  constexpr double noise = 16 * std::numeric_limits<double>::epsilon();
   if(!(square > noise * noise))
     return FT(std::numeric_limits<double>::quiet_NaN());
   // weights that add up to 1 keep the result between the principal curvatures
