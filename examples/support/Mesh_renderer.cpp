@@ -80,7 +80,6 @@ layout(location = 3) in float radius;
 uniform mat4 projection;
 uniform float push;
 out vec3 normal;
-out vec3 eye_position;
 out vec2 value;
 out vec2 disc;
 void main()
@@ -92,10 +91,12 @@ void main()
   vec3 v = cross(n, u);
   disc = vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID >> 1) * 2 - 1);
   normal = n;
-  eye_position = position + radius * (disc.x * u + disc.y * v);
+  vec3 eye_position = position + radius * (disc.x * u + disc.y * v);
   eye_position *= 1 + push * radius / length(eye_position);
   value = vertex_value;
   gl_Position = projection * vec4(eye_position, 1);
+  if(dot(n, position) > 0)
+    gl_Position = vec4(2, 2, 2, 1); // turned away: out of the picture
 }
 )";
 
@@ -171,7 +172,6 @@ void main() { fragment_color = shaded(surface_color(value), normal, normalize(-e
 // The discs' normals and values are added up where they overlap, with weights that fall towards the rims,
 const char* const splat_fragment_shader = R"(#version 430 core
 in vec3 normal;
-in vec3 eye_position;
 in vec2 value;
 in vec2 disc;
 layout(location = 0) out vec4 normal_sum;
@@ -183,12 +183,11 @@ void main()
     discard;
   float weight = exp(-4 * r2);
   normal_sum = weight * vec4(normal, 1);
-  value_sum = weight * vec4(value, dot(normal, eye_position) > 0 ? 1 : 0, 1);
+  value_sum = weight * vec4(value, 0, 1);
 }
 )";
 
-// and the averages are lit. The inside of a surface, which shows through its gaps, is left pale, so that
-// it isn't taken for the outside.
+// and the averages are lit.
 const char* const splat_picture_fragment_shader = R"(
 uniform sampler2D normal_sums;
 uniform sampler2D value_sums;
@@ -203,8 +202,6 @@ void main()
   if(normal.w > 0)
   {
     vec3 color = surface_color(value.xy / value.w);
-    if(value.z > 0.5 * value.w)
-      color = mix(vec3(dot(color, vec3(0.3, 0.6, 0.1))), vec3(0.93), 0.85);
     fragment_color = shaded(color, normal.xyz, -normalize(eye_direction));
   }
 }
@@ -296,10 +293,11 @@ Eye_space looked_at(const Camera& camera, const Vector& low, const Vector& high)
   return space;
 }
 
-// Moves the eye as near as the shape's points (with their radii) permit: each side of the viewing
+// Moves the eye as near as the shape's points (or the discs around them) permit: each side of the viewing
 // frustum touches the shape or, for the picture's other direction, leaves equal space at both sides.
 Frustum framed(Eye_space& space,
                const std::vector<Vector>& placed,
+               const std::vector<Vector>& normals,
                const std::vector<double>& radii,
                const Render_options& options)
 {
@@ -318,19 +316,25 @@ Frustum framed(Eye_space& space,
   for(std::size_t i = 0; i < placed.size(); ++i)
   {
     const Vector& p = placed[i];
-    const double r = radii.empty() ? 0 : radii[i];
-    const double rx = r * std::sqrt(1 + tx * tx), ry = r * std::sqrt(1 + ty * ty);
-    right = std::max(right, p[0] + tx * p[2] + rx);
-    left = std::max(left, -p[0] + tx * p[2] + rx);
-    top = std::max(top, p[1] + ty * p[2] + ry);
-    bottom = std::max(bottom, -p[1] + ty * p[2] + ry);
-    front = std::max(front, p[2] + r);
-    back = std::min(back, p[2] - r);
+    // how far the disc reaches in a direction
+    const auto reach = [&](const Vector& a)
+    {
+      return radii.empty()
+                 ? 0
+                 : radii[i] * std::sqrt(std::max(0., dot(a, a) - dot(a, normals[i]) * dot(a, normals[i])));
+    };
+    const auto extend = [&](double& side, const Vector& a) { side = std::max(side, dot(a, p) + reach(a)); };
+    extend(right, {1, 0, tx});
+    extend(left, {-1, 0, tx});
+    extend(top, {0, 1, ty});
+    extend(bottom, {0, -1, ty});
+    front = std::max(front, p[2] + reach({0, 0, 1}));
+    back = std::min(back, p[2] - reach({0, 0, 1}));
   }
   space.eye[0] = (right - left) / 2;
   space.eye[1] = (top - bottom) / 2;
   space.eye[2] = std::max({(right + left) / (2 * tx), (top + bottom) / (2 * ty), front + 1e-3});
-  const double depth = std::max(front - back, 1e-3);
+  const double depth = std::max(front - back, 0.1);
   frustum.near_plane = std::max(space.eye[2] - front - 0.01 * depth, 1e-3 * (space.eye[2] - back));
   frustum.far_plane = space.eye[2] - back + 0.01 * depth;
   return frustum;
@@ -397,6 +401,17 @@ std::vector<Vector> corner_normals(const std::vector<Vector>& placed,
       normals.push_back(normalized(sum));
     }
   return normals;
+}
+
+// Whether a triangle has no area in the precision that OpenGL sees it with. Mesa 22's software renderer
+// draws nothing at all if the last triangle is such a one.
+bool is_degenerate(const std::vector<Vector>& placed, const std::array<std::size_t, 3>& triangle)
+{
+  const auto rounded = [&](std::size_t v) {
+    return Vector{float(placed[v][0]), float(placed[v][1]), float(placed[v][2])};
+  };
+  const Vector a = rounded(triangle[0]), n = cross(rounded(triangle[1]) - a, rounded(triangle[2]) - a);
+  return n[0] == 0 && n[1] == 0 && n[2] == 0;
 }
 
 // Names of OpenGL that are given back whatever happens.
@@ -556,25 +571,31 @@ Image Mesh_renderer::render(const Drawable& shape, const Render_options& options
     radii = local_spacing(placed);
     const double typical = percentile(radii, 0.5);
     for(double& r : radii)
-      r = options.splat_size * std::min(std::max(1.1 * r, 0.1 * typical), 4 * typical);
+      r = options.splat_size * std::min(std::max(1.05 * r, 0.1 * typical), 4 * typical);
     if(typical == 0)
       radii.assign(radii.size(), options.splat_size * (placed.size() == 1 ? 1 : 0.02));
   }
-  const Frustum frustum = framed(space, placed, radii, options);
+  std::vector<Vector> given_normals; // turned and of unit length, or 0
+  for(std::size_t i : original)
+    given_normals.push_back(shape.normals.empty() ? Vector{0, 0, 0}
+                                                  : space.turn(normalized(shape.normals[i])));
+  const Frustum frustum = framed(space, placed, given_normals, radii, options);
   for(Vector& p : placed)
     p = p - space.eye;
 
   std::vector<Gpu_vertex> vertices;
-  const auto given_normal = [&](std::size_t i) {
-    return shape.normals.empty() ? Vector{0, 0, 0} : space.turn(normalized(shape.normals[original[i]]));
-  };
   if(is_mesh)
   {
     const std::vector<Vector> normals = corner_normals(placed, triangles, options.crease_angle);
     for(std::size_t corner = 0; corner < normals.size(); ++corner)
     {
+      if(corner % 3 == 0 && is_degenerate(placed, triangles[corner / 3]))
+      {
+        corner += 2;
+        continue;
+      }
       const std::size_t i = triangles[corner / 3][corner % 3];
-      const Vector given = given_normal(i);
+      const Vector& given = given_normals[i];
       vertices.push_back(gpu_vertex(placed[i], dot(given, given) > 0 ? given : normals[corner], 0));
       set_value(vertices.back(), shape, original[i], options.range);
     }
@@ -582,7 +603,7 @@ Image Mesh_renderer::render(const Drawable& shape, const Render_options& options
   else
     for(std::size_t i = 0; i < placed.size(); ++i)
     {
-      vertices.push_back(gpu_vertex(placed[i], given_normal(i), radii[i]));
+      vertices.push_back(gpu_vertex(placed[i], given_normals[i], radii[i]));
       set_value(vertices.back(), shape, original[i], options.range);
     }
   if(vertices.empty())

@@ -32,8 +32,8 @@ struct Render_options
 
 /// Renders meshes and point sets off-screen with OpenGL. The colour is looked up per pixel from the
 /// interpolated scalar; lights are fixed to the camera; the edges are smooth. Where the scalar is missing
-/// the surface is hatched in grey. The discs of a point set blend into each other; from inside, through
-/// gaps, they are pale.
+/// the surface is hatched in grey. The discs of a point set blend into each other; those
+/// whose normal points away from the eye are not drawn, so that what lies behind does not show through gaps.
 ///
 /// Points that are not finite, triangles that use one and triangles with indices out of range are left
 /// out. The result does not depend on the shape's unit or position.
