@@ -5,30 +5,12 @@
 #include <epoxy/gl.h>
 
 #include <cstring>
-#include <map>
-#include <mutex>
 #include <stdexcept>
 #include <vector>
 
 namespace support {
 
 namespace {
-
-// EGL gives the same display to everyone who asks for it, and terminating it ends everyone's contexts: the
-// last one out terminates.
-std::mutex displays_mutex;
-std::map<EGLDisplay, int>& users_of_display()
-{
-  static std::map<EGLDisplay, int> users;
-  return users;
-}
-
-void release_display(EGLDisplay display)
-{
-  const std::lock_guard<std::mutex> lock(displays_mutex);
-  if(--users_of_display()[display] == 0)
-    eglTerminate(display);
-}
 
 bool has_word(const char* words, const char* word)
 {
@@ -148,27 +130,18 @@ Offscreen_context::Offscreen_context()
     std::string why;
     if(candidate.display == EGL_NO_DISPLAY)
       why = "there is none";
+    else if(!eglInitialize(candidate.display, nullptr, nullptr))
+      why = "it cannot be initialised (" + egl_error() + ")";
     else
     {
-      {
-        const std::lock_guard<std::mutex> lock(displays_mutex);
-        if(!eglInitialize(candidate.display, nullptr, nullptr))
-          why = "it cannot be initialised (" + egl_error() + ")";
-        else
-          ++users_of_display()[candidate.display];
-      }
+      Opened opened;
+      why = open_context(candidate.display, opened);
       if(why.empty())
       {
-        Opened opened;
-        why = open_context(candidate.display, opened);
-        if(why.empty())
-        {
-          display_ = candidate.display;
-          context_ = opened.context;
-          surface_ = opened.surface;
-          return;
-        }
-        release_display(candidate.display);
+        display_ = candidate.display;
+        context_ = opened.context;
+        surface_ = opened.surface;
+        return;
       }
     }
     failures += "\n  " + candidate.name + ": " + why;
@@ -185,7 +158,7 @@ Offscreen_context::~Offscreen_context()
   if(surface_ != EGL_NO_SURFACE)
     eglDestroySurface(display_, surface_);
   eglDestroyContext(display_, context_);
-  release_display(display_);
+  // The display stays initialised: all contexts of the process share it, and terminating it would end them.
 }
 
 void Offscreen_context::make_current() const

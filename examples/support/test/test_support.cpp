@@ -149,6 +149,21 @@ BOOST_AUTO_TEST_CASE(png_is_read_as_it_was_written)
   for(int y = 0; y < 23; ++y)
     for(int x = 0; x < 37; ++x)
       BOOST_REQUIRE(image.at(x, y) == again.at(x, y));
+  // a file made by hand: red, blue; (1,2,3), green
+  const unsigned char bytes[] = {0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d, 0x49,
+                                 0x48, 0x44, 0x52, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x02, 0x08, 0x02,
+                                 0x00, 0x00, 0x00, 0xfd, 0xd4, 0x9a, 0x73, 0x00, 0x00, 0x00, 0x14, 0x49, 0x44,
+                                 0x41, 0x54, 0x78, 0xda, 0x63, 0xf8, 0xcf, 0x00, 0x04, 0x27, 0x18, 0x18, 0x99,
+                                 0x98, 0x19, 0x1a, 0x18, 0x00, 0x14, 0x5d, 0x02, 0x4e, 0x53, 0x83, 0x52, 0xf6,
+                                 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4e, 0x44, 0xae, 0x42, 0x60, 0x82};
+  std::ofstream(file.name, std::ios::binary).write(reinterpret_cast<const char*>(bytes), sizeof bytes);
+  const Image known = read_png(file.name);
+  BOOST_REQUIRE_EQUAL(known.width(), 2);
+  BOOST_REQUIRE_EQUAL(known.height(), 2);
+  BOOST_CHECK(known.at(0, 0) == (Rgba{255, 0, 0, 255}));
+  BOOST_CHECK(known.at(1, 0) == (Rgba{0, 0, 200, 255}));
+  BOOST_CHECK(known.at(0, 1) == (Rgba{1, 2, 3, 255}));
+  BOOST_CHECK(known.at(1, 1) == (Rgba{0, 128, 0, 255}));
   BOOST_CHECK_THROW(write_png("/no such folder/picture.png", image), std::runtime_error);
   BOOST_CHECK_THROW(write_png(file.name, Image()), std::runtime_error);
   BOOST_CHECK_THROW(read_png("/no such folder/picture.png"), std::runtime_error);
