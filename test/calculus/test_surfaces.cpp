@@ -24,8 +24,6 @@ using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
 
 namespace {
 
-const double pi = 3.14159265358979323846;
-
 // Derivatives by automatic differentiation, twice nested: the surfaces below are given by their equations alone.
 template <int n>
 using First = Eigen::AutoDiffScalar<Eigen::Matrix<double, n, 1>>;
