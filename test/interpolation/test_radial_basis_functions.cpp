@@ -369,11 +369,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(shape_parameter_is_kept_and_checked, Case, Cases_w
   const Function unset;
   BOOST_TEST(unset.shape_parameter() == 1);
   BOOST_TEST(!unset.is_shape_parameter_set());
-  BOOST_TEST(unset(0.4) == Function(1)(0.4));
+  // not ==: the compiler may contract or fold one of the two
+  BOOST_TEST(std::abs(unset(0.4) - Function(1)(0.4)) <= 4e-16 * unset(0.4));
   const Function set = unset.with_shape_parameter(0.3);
   BOOST_TEST(set.shape_parameter() == 0.3);
   BOOST_TEST(set.is_shape_parameter_set());
-  BOOST_TEST(set(0.7) == Function(0.3)(0.7));
+  BOOST_TEST(std::abs(set(0.7) - Function(0.3)(0.7)) <= 4e-16 * set(0.7));
   for(double wrong :
       {0., -1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
   {
