@@ -65,8 +65,8 @@ public:
   {
     /// whether the normals are those of the surface itself
     bool normals_are_exact = false;
-    /// standard deviation of the points, in units of the neighborhood's root mean square radius (positive definite basis
-    /// functions with inexact normals)
+    /// standard deviation of the points, in units of the root mean square distance of the 9 nearest neighbors (positive
+    /// definite basis functions with inexact normals)
     double noise_level = 1e-6;
     /// box for `Exponential_cubic`
     Shape_parameter_box box = Shape_parameter_box::AXIS_ALIGNED;
@@ -87,6 +87,8 @@ public:
     std::vector<Eigen::Vector3d> points;
     /// normals of the neighborhood
     std::vector<Eigen::Vector3d> normals;
+    /// root mean square distance of the nearest neighbors, scaled
+    double nearest_size = 1.;
     /// mean distance of adjacent samples, not scaled (`Exponential_cubic`)
     double mean_spacing = 0.;
   };
@@ -132,13 +134,13 @@ public:
     return result;
   }
 
-  /// returns the logarithm of the probability density of the data around sample `i`, if the noise was `noise_level`;
-  /// NaN where there is no fit
+  /// returns the logarithm of the probability density of the data at sample `i` and its 9 nearest neighbors, if the
+  /// points' noise was `noise_level`; NaN where there is no fit
   double log_likelihood(std::size_t i, double noise_level, Workspace& workspace) const
   {
     static_assert(RadialBasisFunction::is_positive_definite);
     double scale = 0.;
-    if(!is_estimated(prepare(i, workspace, scale)))
+    if(!is_estimated(prepare(i, workspace, scale, s_nearest)))
       return std::numeric_limits<double>::quiet_NaN();
     set_up_noisy(workspace);
     const double variance = (std::max)(noise_level * noise_level, nugget(rounding_error(i, scale)));
@@ -152,13 +154,19 @@ private:
 
   static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
   static constexpr std::size_t s_desired = 5; // neighbors for which further rings are searched
-  static constexpr double s_merged = 1e-3;    // distance, in units of the scale, below which points are one
-  static constexpr double s_largest = 50.;    // curvature times scale beyond which a fit has failed
+  static constexpr std::size_t s_nearest =
+      9; // neighbors that tell the level of noise: so few that a smooth surface
+         // bends little between them
+  static constexpr double s_merged = 1e-3; // distance, in units of the scale, below which points are one
+  static constexpr double s_largest = 50.; // curvature times scale beyond which a fit has failed
   static constexpr double s_normal_variance =
       0.1; // of estimated normals: weak evidence beside good positions
 
   // collects the scaled neighborhood
-  Estimation_status prepare(std::size_t i, Workspace& workspace, double& scale) const
+  Estimation_status prepare(std::size_t i,
+                            Workspace& workspace,
+                            double& scale,
+                            std::size_t limit = (std::numeric_limits<std::size_t>::max)()) const
   {
     const Estimation_status status = m_surface.status(i);
     if(!is_estimated(status))
@@ -171,20 +179,28 @@ private:
     workspace.points.assign(1, Vector::Zero());
     workspace.normals.assign(1, m_surface.normal(i));
     double largest = 0.;
-    for(const auto j : neighbors)
+    const std::size_t number_of_neighbors = (std::min)(neighbors.size(), limit);
+    for(std::size_t k = 0; k < number_of_neighbors; ++k)
     {
+      const auto j = neighbors[k];
       workspace.points.push_back(m_surface.point(j) - center);
       workspace.normals.push_back(m_surface.normal(j));
       largest = (std::max)(largest, workspace.points.back().template lpNorm<Eigen::Infinity>());
     }
     if(!(largest > 0.) || !std::isfinite(largest))
       return Estimation_status::DEGENERATE;
-    double sum = 0.;
-    for(const Vector& d : workspace.points)
-      sum += (d / largest).squaredNorm();
-    scale = largest * std::sqrt(sum / double(neighbors.size()));
+    double sum = 0., sum_of_nearest = 0.;
+    for(std::size_t k = 1; k <= number_of_neighbors; ++k)
+    {
+      sum += (workspace.points[k] / largest).squaredNorm();
+      if(k == (std::min)(s_nearest, number_of_neighbors))
+        sum_of_nearest = sum / double(k);
+    }
+    sum /= double(number_of_neighbors);
+    scale = largest * std::sqrt(sum);
     if(!(scale >= (std::numeric_limits<double>::min)()))
       return Estimation_status::DEGENERATE;
+    workspace.nearest_size = std::sqrt(sum_of_nearest / sum);
     for(Vector& d : workspace.points)
       d /= scale;
     if constexpr(std::is_same_v<RadialBasisFunction, Exponential_cubic>)
@@ -304,15 +320,22 @@ private:
     }
   }
 
+  // The noise of the normals is guessed. Where it was guessed too high, as on a surface that bends much between its
+  // samples, the function may as well be zero everywhere, and its gradient shrinks: then normals are trusted more.
   bool
   fit_noisy(double rounding, Workspace& workspace, internal::Hermite_jet& jet, Vector& displacement) const
   {
     set_up_noisy(workspace);
-    double variance = (std::max)(m_options.noise_level * m_options.noise_level, nugget(rounding));
-    for(int attempt = 0; attempt < 4; ++attempt, variance *= 100.)
+    const double noise = m_options.noise_level * workspace.nearest_size;
+    double variance = (std::max)(noise * noise, nugget(rounding));
+    double normal_variance = s_normal_variance;
+    for(int attempt = 0; attempt < 6; ++attempt)
     {
-      if(!workspace.system.solve_positive_definite(variance, s_normal_variance))
+      if(!workspace.system.solve_positive_definite(variance, normal_variance))
+      {
+        variance *= 100.;
         continue;
+      }
       displacement.setZero();
       for(int step = 0; step < 2; ++step)
       {
@@ -321,8 +344,11 @@ private:
       }
       jet = workspace.system(displacement);
       const double length = jet.gradient.norm();
-      if(length > 0.2 && displacement.norm() < 0.5 && jet.hessian.norm() < s_largest * length)
+      if(length > 0.05 && displacement.norm() < 0.5 && jet.hessian.norm() < s_largest * length)
         return true;
+      normal_variance *= 0.1;
+      if(attempt >= 2)
+        variance *= 100.;
     }
     return false;
   }

@@ -1,14 +1,15 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_FIT_HERMITE_RBF_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_FIT_HERMITE_RBF_H
 
+#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
-#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,31 +37,50 @@ double estimate_noise_level(const SampledSurface& surface,
 
   using Fit = Local_hermite_rbf<SampledSurface, RadialBasisFunction>;
   typename Fit::Workspace workspace;
-  std::vector<double> likelihood(last_exponent - first_exponent + 1, 0.);
+  constexpr std::size_t levels = last_exponent - first_exponent + 1;
+  std::array<double, levels> likelihood{}, of_probe{};
+  std::array<std::size_t, levels> failures{};
+  std::size_t used = 0;
   const std::size_t probes = (std::min)(number_of_probes, size);
-  std::vector<double> of_probe(likelihood.size());
+  const auto level = [](const std::size_t e) { return std::pow(10., (first_exponent + int(e)) / 2.); };
   for(std::size_t k = 0; k < probes; ++k)
   {
     const std::size_t i = (2 * k + 1) * size / (2 * probes);
-    bool is_complete = is_estimated(surface.status(i));
-    for(std::size_t e = 0; e < likelihood.size() && is_complete; ++e)
+    for(std::size_t e = levels; e-- > 0;)
     {
-      of_probe[e] = fit.log_likelihood(i, std::pow(10., (first_exponent + int(e)) / 2.), workspace);
-      is_complete = std::isfinite(of_probe[e]);
+      of_probe[e] = fit.log_likelihood(i, level(e), workspace);
+      if(std::isfinite(of_probe[e]))
+        likelihood[e] += of_probe[e];
+      else if(e + 1 == levels) // there is no surface at all
+        break;
+      else
+      {
+        ++failures[e];
+        of_probe[e] = of_probe[e + 1];
+        likelihood[e] += of_probe[e];
+      }
+      used += e == 0;
     }
-    for(std::size_t e = 0; e < likelihood.size() && is_complete; ++e)
-      likelihood[e] += of_probe[e];
   }
-  const auto best = std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin();
-  return std::pow(10., (first_exponent + int(best)) / 2.);
+  // The lowest level that isn't clearly worse than the best one: noise is assumed on strong evidence alone, for a
+  // surface that bends much between its samples looks a little noisy as well.
+  constexpr double evidence = 1.5; // per probe
+  const double threshold = *std::max_element(likelihood.begin(), likelihood.end()) - evidence * double(used);
+  std::size_t best = 0;
+  while(best + 1 < levels && (10 * failures[best] > used || likelihood[best] < threshold))
+    ++best;
+  return level(best);
 }
 
 // Progress of several passes as progress of one.
 class Callback_of_pass
 {
 public:
-  Callback_of_pass(const std::function<bool(double)>& callback, std::size_t pass, std::size_t number_of_passes)
-    : m_callback(callback), m_begin(double(pass) / double(number_of_passes)),
+  Callback_of_pass(const std::function<bool(double)>& callback,
+                   std::size_t pass,
+                   std::size_t number_of_passes)
+    : m_callback(callback),
+      m_begin(double(pass) / double(number_of_passes)),
       m_length(1. / double(number_of_passes))
   {}
 
@@ -83,8 +103,8 @@ public:
     using parameters::choose_parameter;
     using parameters::get_parameter;
     m_normals_are_exact = choose_parameter(get_parameter(np, internal_np::normals_are_exact), false);
-    m_box =
-      choose_parameter(get_parameter(np, internal_np::shape_parameter_box), Shape_parameter_box::AXIS_ALIGNED);
+    m_box = choose_parameter(get_parameter(np, internal_np::shape_parameter_box),
+                             Shape_parameter_box::AXIS_ALIGNED);
     m_noise_level = choose_parameter(get_parameter(np, internal_np::noise_level), -1.);
     m_passes = choose_parameter(get_parameter(np, internal_np::number_of_passes), 0u);
     const double distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
@@ -92,7 +112,7 @@ public:
     m_callback = choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
 
     constexpr bool level_is_given =
-      !parameters::is_default_parameter<NamedParameters, internal_np::noise_level_t>::value;
+        !parameters::is_default_parameter<NamedParameters, internal_np::noise_level_t>::value;
     if(level_is_given && !(m_noise_level >= 0. && std::isfinite(m_noise_level)))
       throw std::invalid_argument("Shape_characteristics: noise_level must be finite and not negative");
     m_pattern = poisson_disc_pattern(distance, seed);
@@ -113,8 +133,8 @@ public:
       if(!m_normals_are_exact)
       {
         options.noise_level = m_noise_level >= 0.
-                                ? m_noise_level
-                                : estimate_noise_level(surface, Fit(surface, phi, options), surface.size());
+                                  ? m_noise_level
+                                  : estimate_noise_level(surface, Fit(surface, phi, options), surface.size());
         const std::size_t passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
         for(std::size_t pass = 0; pass + 1 < passes; ++pass)
           if(!denoise(surface, Fit(surface, phi, options), pass, passes))
@@ -160,10 +180,10 @@ private:
   {
     std::vector<Result> results(size);
     for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-      size,
-      [&](const std::size_t i, typename Fit::Workspace& workspace)
-      { results[i] = transform(i, fit(i, workspace)); },
-      callback_of(passes - 1, passes));
+        size,
+        [&](const std::size_t i, typename Fit::Workspace& workspace)
+        { results[i] = transform(i, fit(i, workspace)); },
+        callback_of(passes - 1, passes));
     return results;
   }
 
@@ -176,7 +196,7 @@ private:
 
   bool m_normals_are_exact;
   Shape_parameter_box m_box;
-  double m_noise_level; // negative: to be estimated
+  double m_noise_level;  // negative: to be estimated
   unsigned int m_passes; // 0: to be chosen
   std::vector<Eigen::Vector2d> m_pattern;
   std::function<bool(double)> m_callback;
