@@ -1,14 +1,14 @@
 #ifndef SHAPE_CHARACTERISTICS_CURVATURE_HRBF_CURVATURES_H
 #define SHAPE_CHARACTERISTICS_CURVATURE_HRBF_CURVATURES_H
 
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
-#include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
-#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
-#include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
 #include <cstddef>
@@ -23,14 +23,14 @@ std::vector<Curvature_estimate>
 hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters& np)
 {
   return fit_hermite_rbf<ConcurrencyTag, Curvature_estimate>(
-    surface, size,
-    [](std::size_t, const Local_implicit_surface& local)
-    {
-      return is_estimated(local.status)
-               ? Curvature_estimate(local.status, curvatures_of_implicit(local.gradient, local.hessian))
-               : Curvature_estimate(local.status);
-    },
-    np);
+      surface, size,
+      [](std::size_t, const Local_implicit_surface& local)
+      {
+        return is_estimated(local.status)
+                   ? Curvature_estimate(local.status, curvatures_of_implicit(local.gradient, local.hessian))
+                   : Curvature_estimate(local.status);
+      },
+      np);
 }
 
 } // namespace internal
@@ -52,8 +52,8 @@ Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph
                                   const FaceGraph& mesh,
                                   const NamedParameters& np = parameters::default_values())
 {
-  constexpr unsigned int reach = 3; // of two passes, and of the neighborhoods from which the noise is estimated
-  Face_graph_samples surface = sampled_surface(v, mesh, internal::mesh_neighborhood(np), reach, np);
+  Face_graph_samples surface =
+      sampled_surface(v, mesh, internal::mesh_neighborhood(np), internal::reach_of_hermite_rbf, np);
   const auto estimates = internal::hrbf_estimates<CGAL::Sequential_tag>(surface, 1, np);
   return internal::write_to_references(estimates[0], np);
 }
@@ -63,8 +63,7 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<internal::is_point_range<PointRange> >,
           typename = void>
-std::size_t hrbf_curvatures(const PointRange& points,
-                            const NamedParameters& np = parameters::default_values())
+std::size_t hrbf_curvatures(PointRange&& points, const NamedParameters& np = parameters::default_values())
 {
   Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np), np);
   const auto estimates = internal::hrbf_estimates<ConcurrencyTag>(surface, surface.size(), np);

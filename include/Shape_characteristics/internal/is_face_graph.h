@@ -49,7 +49,7 @@ struct Is_point_range< T,
 {};
 
 template <typename T>
-inline constexpr bool is_point_range = Is_point_range<T>::value;
+inline constexpr bool is_point_range = Is_point_range<std::remove_cv_t<std::remove_reference_t<T>>>::value;
 
 } // namespace internal
 } // namespace Shape_characteristics

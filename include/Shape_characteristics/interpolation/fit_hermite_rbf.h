@@ -23,13 +23,16 @@
 namespace Shape_characteristics {
 namespace internal {
 
+// how often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex: two passes, and the
+// neighborhoods from which the noise is estimated
+constexpr unsigned int reach_of_hermite_rbf = 3;
+
 /*
   The standard deviation of the points, in units of the neighborhoods' sizes: of those on a grid, the one under which
   the data of some neighborhoods together are likeliest. Each neighborhood alone knows too little to choose.
 */
 template <typename SampledSurface, typename RadialBasisFunction>
-double estimate_noise_level(const SampledSurface& surface,
-                            const Local_hermite_rbf<SampledSurface, RadialBasisFunction>& fit,
+double estimate_noise_level(const Local_hermite_rbf<SampledSurface, RadialBasisFunction>& fit,
                             std::size_t size)
 {
   constexpr std::size_t number_of_probes = 50;
@@ -134,7 +137,7 @@ public:
       {
         options.noise_level = m_noise_level >= 0.
                                   ? m_noise_level
-                                  : estimate_noise_level(surface, Fit(surface, phi, options), surface.size());
+                                  : estimate_noise_level(Fit(surface, phi, options), surface.size());
         const std::size_t passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
         for(std::size_t pass = 0; pass + 1 < passes; ++pass)
           if(!denoise(surface, Fit(surface, phi, options), pass, passes))

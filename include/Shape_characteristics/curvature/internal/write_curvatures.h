@@ -1,14 +1,14 @@
 #ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_WRITE_CURVATURES_H
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_WRITE_CURVATURES_H
 
-#include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/Estimation_status.h>
-#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/boost/graph/named_params_helper.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -54,13 +54,13 @@ Value to_principal_curvatures(const Curvature_estimate& estimate)
 }
 
 template <typename Map, typename Key>
-void put_curvatures(const Map& map, const Key& key, const Curvature_estimate& estimate)
+void put_curvatures(const Map& map, Key& key, const Curvature_estimate& estimate)
 {
   put(map, key, to_principal_curvatures<typename boost::property_traits<Map>::value_type>(estimate));
 }
 
 template <typename Map, typename Key>
-void put_number(const Map& map, const Key& key, double value)
+void put_number(const Map& map, Key& key, double value)
 {
   put(map, key, typename boost::property_traits<Map>::value_type(value));
 }
@@ -106,12 +106,12 @@ std::size_t write_to_mesh(const FaceGraph& mesh,
   using parameters::is_default_parameter;
 
   constexpr bool has_principal =
-    !is_default_parameter<NamedParameters,
-                          internal_np::vertex_principal_curvatures_and_directions_map_t>::value;
+      !is_default_parameter<NamedParameters,
+                            internal_np::vertex_principal_curvatures_and_directions_map_t>::value;
   constexpr bool has_mean =
-    !is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_map_t>::value;
+      !is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_map_t>::value;
   constexpr bool has_Gaussian =
-    !is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value;
+      !is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value;
   constexpr bool has_status = !is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value;
 
   std::size_t i = 0;
@@ -132,8 +132,9 @@ std::size_t write_to_mesh(const FaceGraph& mesh,
   return number_of_failures(estimates);
 }
 
+// the range isn't const if it wasn't to the caller: maps may write into its elements
 template <typename PointRange, typename NamedParameters>
-std::size_t write_to_points(const PointRange& points,
+std::size_t write_to_points(PointRange& points,
                             const std::vector<Curvature_estimate>& estimates,
                             const NamedParameters& np)
 {
@@ -141,14 +142,14 @@ std::size_t write_to_points(const PointRange& points,
   using parameters::is_default_parameter;
 
   constexpr bool has_principal =
-    !is_default_parameter<NamedParameters, internal_np::principal_curvatures_and_directions_map_t>::value;
+      !is_default_parameter<NamedParameters, internal_np::principal_curvatures_and_directions_map_t>::value;
   constexpr bool has_mean = !is_default_parameter<NamedParameters, internal_np::mean_curvature_map_t>::value;
   constexpr bool has_Gaussian =
-    !is_default_parameter<NamedParameters, internal_np::Gaussian_curvature_map_t>::value;
+      !is_default_parameter<NamedParameters, internal_np::Gaussian_curvature_map_t>::value;
   constexpr bool has_status = !is_default_parameter<NamedParameters, internal_np::status_map_t>::value;
 
   std::size_t i = 0;
-  for(const auto& item : points)
+  for(auto&& item : points)
   {
     const Curvature_estimate& estimate = estimates[i++];
     if constexpr(has_principal)

@@ -113,7 +113,9 @@ public:
     Eigen::Map<Eigen::MatrixXd> matrix(m_matrix.data(), n, n);
     Eigen::Ref<Eigen::MatrixXd> in_place(matrix);
     const Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd> > lu(in_place);
-    if(!(lu.rcond() > std::numeric_limits<double>::epsilon() / 64.))
+    // rcond() passes over pivots that are exactly zero
+    if((lu.matrixLU().diagonal().array() == 0.).any() ||
+       !(lu.rcond() > std::numeric_limits<double>::epsilon() / 64.))
       return false;
     m_weights = m_data;
     Eigen::Map<Eigen::VectorXd> weights(m_weights.data(), n);
