@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/point_set_parameters.h>
+#include <Shape_characteristics/internal/to_eigen.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -16,16 +17,6 @@
 #include <vector>
 
 namespace Shape_characteristics {
-namespace internal {
-
-template <typename Vector_3>
-Eigen::Vector3d to_eigen(const Vector_3& v)
-{
-  return Eigen::Vector3d(CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z()));
-}
-
-} // namespace internal
-
 /*!
   \ingroup PkgShapeCharacteristicsNormals
 

@@ -1,8 +1,9 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_INTERPOLATION_DATA_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_INTERPOLATION_DATA_H
 
+#include <Shape_characteristics/internal/to_eigen.h>
+
 #include <CGAL/Kernel_traits.h>
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
@@ -39,12 +40,6 @@ void require_valid_basis_function(const char* caller)
     throw std::invalid_argument(std::string(caller) +
                                 ": `basis_function` is not a valid one (`Polyharmonic<t>` needs an "
                                 "odd, `Polyharmonic_logarithmic<t>` an even exponent)");
-}
-
-template <typename Triple> // a point or a vector
-Eigen::Vector3d to_eigen(const Triple& p)
-{
-  return {CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())};
 }
 
 // the elements as columns
