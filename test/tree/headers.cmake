@@ -2,7 +2,7 @@
 
 # The folders, in the order in which they build on each other: a header includes headers of its own folder and of
 # folders to the left. What lies directly in Shape_characteristics/, with its internal/, is for all.
-set(folders root sampling normals interpolation curvature characteristics descriptors screen_space head_features
+set(folders root sampling interpolation normals curvature characteristics descriptors screen_space head_features
     registration)
 
 # Sets `result` to the folder that the header with the path `path` (relative to Shape_characteristics/) belongs to.

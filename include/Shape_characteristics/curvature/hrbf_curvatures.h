@@ -35,6 +35,128 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
 
 } // namespace internal
 
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at the vertices of a mesh by Hermite radial basis functions: an implicit function is
+  fitted to the points and normals around each vertex, and has the curvatures of its zero set there (thesis, chapter
+  8; M. Prantl, L. Váša, Estimation of differential quantities using Hermite RBF interpolation, 2018).
+
+  This is the accurate estimator. On smooth surfaces with exact normals its error falls with the fourth and higher
+  powers of the edge length. Normals that are estimated from the mesh, and noise on the points, are dealt with by default: they
+  are weighed against each other by their evidence, see `noise_level`.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
+          The results are the same, bit for bit, for any number of threads.
+  \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_principal_curvatures_and_directions_map}
+      \cgalParamDescription{a property map in which the principal curvatures and directions are written}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `Principal_curvatures_and_directions<GeomTraits>`,
+                     or the type of the same name of \cgal 6}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_mean_curvature_map}
+      \cgalParamDescription{a property map in which the mean curvatures are written}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_Gaussian_curvature_map}
+      \cgalParamDescription{a property map in which the Gaussian curvatures are written}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_status_map}
+      \cgalParamDescription{a property map in which is written whether each vertex has values, and if not, why}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `Estimation_status`}
+      \cgalParamDefault{not written}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_point_map}
+      \cgalParamDescription{the points of the vertices}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Point_3`}
+      \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_normal_map}
+      \cgalParamDescription{the outward normals of the vertices, of any length}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Vector_3`}
+      \cgalParamDefault{computed by `vertex_normals()`}
+      \cgalParamExtra{How they are computed is chosen by `normal_weighting`.}
+    \cgalParamNEnd
+    \cgalParamNBegin{normals_are_exact}
+      \cgalParamDescription{whether the normals are those of the surface itself, and the points lie on it}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_rings}
+      \cgalParamDescription{the size of the neighborhood, in edges}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`2`}
+      \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
+                      less than 5 neighbors, up to two rings are added.}
+    \cgalParamNEnd
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
+      \cgalParamType{`FT`}
+      \cgalParamDefault{not used}
+    \cgalParamNEnd
+    \cgalParamNBegin{radial_basis_function}
+      \cgalParamDescription{the basis function, which chooses the system of equations as well: see `Local_hermite_rbf`}
+      \cgalParamType{a model of `RadialBasisFunction`}
+      \cgalParamDefault{`Inverse_multiquadric` with exact normals, `Matern_9_2` otherwise}
+      \cgalParamExtra{`Polyharmonic<3>()` and `Exponential_cubic()` give the thesis's method. A shape parameter that is set
+                      is meant in units of 1/size of the neighborhood (its root mean square radius).}
+    \cgalParamNEnd
+    \cgalParamNBegin{noise_level}
+      \cgalParamDescription{the standard deviation of the points from the surface, in units of the root mean square distance
+                            of the 9 nearest neighbors}
+      \cgalParamType{`double`}
+      \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood}
+      \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_passes}
+      \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{1 if the noise level is below 0.0001, 2 otherwise}
+      \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
+    \cgalParamNEnd
+    \cgalParamNBegin{sampling_distance}
+      \cgalParamDescription{the minimal distance in the Poisson-disc pattern over which derivatives are averaged (8.1.3)}
+      \cgalParamType{`double`}
+      \cgalParamDefault{`0.3`}
+      \cgalParamExtra{Only with another basis function and inexact normals; `random_seed` chooses the pattern.}
+    \cgalParamNEnd
+    \cgalParamNBegin{shape_parameter_box}
+      \cgalParamDescription{the box that gives `Exponential_cubic` its shape parameter (8.1.1)}
+      \cgalParamType{`Shape_parameter_box`}
+      \cgalParamDefault{`Shape_parameter_box::AXIS_ALIGNED`}
+    \cgalParamNEnd
+    \cgalParamNBegin{callback}
+      \cgalParamDescription{called with the advancement in [0, 1], by one thread at a time; `false` stops the
+                            computation, and vertices not yet reached get the status `CANCELLED`}
+      \cgalParamType{convertible to `std::function<bool(double)>`}
+      \cgalParamDefault{unused}
+    \cgalParamNEnd
+    \cgalParamNBegin{geom_traits}
+      \cgalParamDescription{an instance of a geometric traits class}
+      \cgalParamType{a model of `Kernel`}
+      \cgalParamDefault{deduced from the point type}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
+
+  \throws std::invalid_argument if a parameter has a value without meaning (no rings, a radius that isn't positive, a
+          basis function that isn't valid, a negative noise level)
+
+  Complexity: linear in the number of vertices \f$ n \f$: \f$ O(n m^3) \f$ for neighborhoods of \f$ m \f$ vertices.
+
+  \cgalExample{curvature/hrbf_curvatures.cpp}
+*/
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename FaceGraph,
           typename NamedParameters = parameters::Default_named_parameters,
@@ -47,6 +169,42 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
   return internal::write_to_mesh(mesh, estimates, np);
 }
 
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at one vertex of a mesh, as `hrbf_curvatures()` of the whole mesh does.
+
+  \param v the vertex
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": those of the whole mesh, with
+         other outputs:
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{vertex_principal_curvatures_and_directions}
+      \cgalParamDescription{a variable for the principal curvatures and directions}
+      \cgalParamType{`std::reference_wrapper` of a `Principal_curvatures_and_directions<GeomTraits>`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_mean_curvature}
+      \cgalParamDescription{a variable for the mean curvature}
+      \cgalParamType{`std::reference_wrapper` of an `FT`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{vertex_Gaussian_curvature}
+      \cgalParamDescription{a variable for the Gaussian curvature}
+      \cgalParamType{`std::reference_wrapper` of an `FT`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  With exact normals the result has the bits of the whole mesh's. With inexact ones, the noise level is estimated from
+  the surroundings of the vertex alone; give `noise_level` for all vertices to be treated alike. The radius of the
+  Poisson-disc pattern of the thesis's method comes from the surroundings as well.
+
+  \return whether the curvatures were estimated, or why not
+
+  Complexity: that of the neighborhood, whatever the size of the mesh.
+*/
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
 Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph>::type v,
                                   const FaceGraph& mesh,
@@ -58,6 +216,71 @@ Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph
   return internal::write_to_references(estimates[0], np);
 }
 
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at the points of a point set with normals, as `hrbf_curvatures()` of a mesh does.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default)
+  \tparam PointRange a model of `ConstRange`
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param points the point set
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": those of the mesh that describe the method,
+         and:
+
+  \cgalNamedParamsBegin
+    \cgalParamNBegin{principal_curvatures_and_directions_map}
+      \cgalParamDescription{a property map in which the principal curvatures and directions are written}
+      \cgalParamType{a model of `WritablePropertyMap` with the value type of the range as key type and value type
+                     `Principal_curvatures_and_directions<GeomTraits>`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{mean_curvature_map}
+      \cgalParamDescription{a property map in which the mean curvatures are written}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{Gaussian_curvature_map}
+      \cgalParamDescription{a property map in which the Gaussian curvatures are written}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
+      \cgalParamDefault{not computed}
+    \cgalParamNEnd
+    \cgalParamNBegin{status_map}
+      \cgalParamDescription{a property map in which is written whether each point has values, and if not, why}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `Estimation_status`}
+      \cgalParamDefault{not written}
+    \cgalParamNEnd
+    \cgalParamNBegin{point_map}
+      \cgalParamDescription{the points of the elements of the range}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Point_3`}
+      \cgalParamDefault{`CGAL::Identity_property_map`, or the map of a `CGAL::Point_set_3`}
+    \cgalParamNEnd
+    \cgalParamNBegin{normal_map}
+      \cgalParamDescription{the outward normals of the elements of the range, of any length}
+      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Vector_3`}
+      \cgalParamDefault{the map of a `CGAL::Point_set_3`; other ranges need it}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_neighbors}
+      \cgalParamDescription{the size of the neighborhood: as many nearest points}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`18`}
+    \cgalParamNEnd
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
+      \cgalParamType{`FT`}
+      \cgalParamDefault{not used}
+    \cgalParamNEnd
+  \cgalNamedParamsEnd
+
+  \return the number of points that could not be estimated. Their values are quiet NaN, their status says why.
+
+  \throws std::invalid_argument as for meshes, and if there is no normal map
+
+  Complexity: \f$ O(n (\log n + m^3)) \f$ for \f$ n \f$ points with neighborhoods of \f$ m \f$.
+
+  \cgalExample{curvature/hrbf_point_set.cpp}
+*/
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters,

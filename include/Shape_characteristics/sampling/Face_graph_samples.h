@@ -262,8 +262,9 @@ public:
   /*!
     sets the normals.
 
-    \param normals a normal per vertex, of any length. Those that are zero or not finite make the vertex
-           `failure` (if nothing else was wrong with it), and keep it from being anybody's neighbor.
+    \param normals a normal per vertex, of any length.
+    \param failure what becomes of a sample whose normal is zero or not finite, if nothing else was wrong with it. It is
+           nobody's neighbor any more.
   */
   void set_normals(std::vector<Eigen::Vector3d> normals,
                    Estimation_status failure = Estimation_status::NON_FINITE_INPUT)
