@@ -1,17 +1,17 @@
 #define BOOST_TEST_MODULE support
 #include <boost/test/unit_test.hpp>
 
-#include "../examples/support/Contact_sheet.h"
-#include "../examples/support/Mesh_renderer.h"
-#include "../examples/support/Painter.h"
-#include "../examples/support/Plot.h"
-#include "../examples/support/Ply_file.h"
-#include "../examples/support/Progress_bar.h"
-#include "../examples/support/Ticks.h"
-#include "../examples/support/data_file.h"
-#include "../examples/support/drawable_mesh.h"
-#include "../examples/support/local_spacing.h"
-#include "../examples/support/picture.h"
+#include "../../examples/support/Contact_sheet.h"
+#include "../../examples/support/Mesh_renderer.h"
+#include "../../examples/support/Painter.h"
+#include "../../examples/support/Plot.h"
+#include "../../examples/support/Ply_file.h"
+#include "../../examples/support/Progress_bar.h"
+#include "../../examples/support/Ticks.h"
+#include "../../examples/support/data_file.h"
+#include "../../examples/support/drawable_mesh.h"
+#include "../../examples/support/local_spacing.h"
+#include "../../examples/support/picture.h"
 
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Polyhedron_3.h>
