@@ -211,7 +211,7 @@ Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph
                                   const NamedParameters& np = parameters::default_values())
 {
   Face_graph_samples surface =
-      sampled_surface(v, mesh, internal::mesh_neighborhood(np), internal::reach_of_hermite_rbf, np);
+      sampled_surface(v, mesh, internal::mesh_neighborhood(np), internal::reach_of_hermite_rbf(np), np);
   const auto estimates = internal::hrbf_estimates<CGAL::Sequential_tag>(surface, 1, np);
   return internal::write_to_references(estimates[0], np);
 }

@@ -23,9 +23,15 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// how often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex: two passes, and the
-// neighborhoods from which the noise is estimated
-constexpr unsigned int reach_of_hermite_rbf = 3;
+// How often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex. With inexact normals
+// these are two passes, and the neighborhoods from which the noise is estimated.
+template <typename NamedParameters>
+unsigned int reach_of_hermite_rbf(const NamedParameters& np)
+{
+  const bool normals_are_exact =
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::normals_are_exact), false);
+  return normals_are_exact ? 1 : 3;
+}
 
 /*
   The standard deviation of the points, in units of the neighborhoods' sizes: of those on a grid, the one under which

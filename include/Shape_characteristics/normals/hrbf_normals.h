@@ -129,7 +129,7 @@ Estimation_status hrbf_normals(typename internal::Vertex_descriptor<FaceGraph>::
                                const NamedParameters& np = parameters::default_values())
 {
   Face_graph_samples surface =
-      sampled_surface(v, mesh, internal::mesh_neighborhood(np), internal::reach_of_hermite_rbf, np);
+      sampled_surface(v, mesh, internal::mesh_neighborhood(np), internal::reach_of_hermite_rbf(np), np);
   const auto estimates = internal::hrbf_normal_estimates<CGAL::Sequential_tag>(surface, 1, np);
   normal = internal::to_vector<Vector_3>(estimates[0].normal);
   return estimates[0].status;
