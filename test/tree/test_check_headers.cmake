@@ -71,3 +71,11 @@ file(REMOVE ${SCRATCH}/normals/copied.h ${SCRATCH}/normals/unguarded.h)
 file(WRITE ${SCRATCH}/normals/prints.h
   "#include <iostream>\ninline void f() { std::cerr << 1; }\nvoid g()\n{\n  printf(\"\");\n}\n")
 expect(find_output "^normals/prints.h: #include <iostream>" "std::cerr << 1" "printf")
+
+file(REMOVE_RECURSE ${SCRATCH})
+write_header(normals/normals.h "\\cgalParamNBegin{point_map}" "\\cgalParamNBegin{point}")
+file(WRITE ${SCRATCH}/table "<td class=\"paramname\">point_map</td>")
+find_unlisted_parameters(wrong ${SCRATCH} ${SCRATCH}/table)
+if(NOT wrong MATCHES "^normals/normals.h: the parameter point is not in [^;]*$")
+  message(SEND_ERROR "find_unlisted_parameters found '${wrong}'")
+endif()
