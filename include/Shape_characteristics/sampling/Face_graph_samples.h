@@ -5,6 +5,7 @@
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
+#include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -330,6 +331,12 @@ private:
       m_adjacency[end[a]++] = b;
       m_adjacency[end[b]++] = a;
     }
+    // sums over the edges of a vertex don't depend on where the mesh starts to count either
+    for(std::size_t i = 0; i < size(); ++i)
+      std::sort(m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[i]),
+                m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[i + 1]),
+                [&](const Index a, const Index b)
+                { return internal::lexicographically_smaller(m_points[a], m_points[b]); });
   }
 
   // whether the halfedge `h` of a copied vertex is the one of its face that lists the face: all the vertices of the
@@ -383,8 +390,7 @@ private:
                 [&](const Index f, const Index g) { return comes_before(f, g); });
 
     m_status.assign(size(), Estimation_status::ESTIMATED);
-    double sum = 0.;
-    std::size_t count = 0;
+    std::vector<double> lengths;
     for(std::size_t i = 0; i < size(); ++i)
     {
       if(m_incidence_begin[i] == m_incidence_begin[i + 1])
@@ -399,27 +405,33 @@ private:
         {
           const double length = (m_points[m_adjacency[k]] - m_points[i]).norm();
           if(std::isfinite(length))
-          {
-            sum += length;
-            ++count;
-          }
+            lengths.push_back(length);
         }
     }
-    m_mean_edge_length = count == 0 ? 0. : sum / double(count);
+    m_mean_edge_length = internal::mean_of(lengths);
   }
 
   bool comes_before(const Index f, const Index g) const
   {
+    // Faces are read from their first vertex towards the smaller of its two neighbors: in the same way whichever side
+    // they show, so that sums over flipped faces have the same bits.
+    const auto is_read_forward = [&](const Index face)
+    {
+      return !internal::lexicographically_smaller(m_points[vertex(face, degree(face) - 1)],
+                                                  m_points[vertex(face, 1)]);
+    };
+    const bool f_forward = is_read_forward(f), g_forward = is_read_forward(g);
     const std::size_t n = (std::min)(degree(f), degree(g));
     for(std::size_t k = 0; k < n; ++k)
     {
-      const Eigen::Vector3d &p = m_points[vertex(f, k)], &q = m_points[vertex(g, k)];
+      const Eigen::Vector3d& p = m_points[vertex(f, f_forward || k == 0 ? k : degree(f) - k)];
+      const Eigen::Vector3d& q = m_points[vertex(g, g_forward || k == 0 ? k : degree(g) - k)];
       if(internal::lexicographically_smaller(p, q))
         return true;
       if(internal::lexicographically_smaller(q, p))
         return false;
     }
-    return degree(f) < degree(g);
+    return degree(f) != degree(g) ? degree(f) < degree(g) : f_forward && !g_forward;
   }
 
   void begin_query(std::size_t i, Workspace& workspace) const

@@ -3,7 +3,9 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/length.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
+#include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 
 #include <CGAL/Fuzzy_sphere.h>
@@ -132,11 +134,14 @@ public:
   /// whether other points have the same coordinates as point `i`
   bool has_coincident_points(std::size_t i) const
   {
-    std::vector<Index> nearest;
-    if(m_tree && m_points[i].allFinite())
-      collect_nearest(i, 1, nearest);
-    return std::count_if(nearest.begin(), nearest.end(),
-                         [&](const Index j) { return m_points[j] == m_points[i]; }) > 1;
+    if(!m_tree || !m_points[i].allFinite() || m_tree->size() < 2)
+      return false;
+    const Point_3& p = (*m_tree_points)[i];
+    const K_neighbor_search search(
+        *m_tree, p, 2, 0., true,
+        typename K_neighbor_search::Distance(CGAL::make_property_map(std::as_const(*m_tree_points))), false);
+    return std::all_of(search.begin(), search.end(),
+                       [&](const auto& found) { return (*m_tree_points)[found.first] == p; });
   }
 
   /// mean distance of point `i` to the (at most) 6 nearest points elsewhere (0 if there is none)
@@ -146,30 +151,22 @@ public:
     std::vector<Index> nearest;
     if(m_tree && m_points[i].allFinite())
       collect_nearest(i, count, nearest);
-    double sum = 0.;
-    std::size_t n = 0;
+    std::vector<double> distances;
     for(const Index j : nearest)
-      if(m_points[j] != m_points[i])
-      {
-        sum += (m_points[j] - m_points[i]).norm();
-        ++n;
-      }
-    return n == 0 ? 0. : sum / double(n);
+      if(const double distance = (m_points[j] - m_points[i]).norm(); std::isfinite(distance))
+        distances.push_back(distance);
+    return internal::mean_of(distances);
   }
 
   /// mean of `spacing()` over (at most) 1000 points spread evenly over the range
   double mean_spacing() const
   {
     const std::size_t step = (std::max)(size() / 1000, std::size_t(1));
-    double sum = 0.;
-    std::size_t n = 0;
+    std::vector<double> spacings;
     for(std::size_t i = 0; i < size(); i += step)
       if(const double s = spacing(i); s > 0.)
-      {
-        sum += s;
-        ++n;
-      }
-    return n == 0 ? 0. : sum / double(n);
+        spacings.push_back(s);
+    return internal::mean_of(spacings);
   }
 
   /// what the neighbors are
@@ -229,27 +226,45 @@ private:
     m_tree->build(); // a const query must not build it
   }
 
+  // The `count` points elsewhere that are nearest to point `i`, nearest first. Of equally far ones the order of coordinates
+  // (and normals) chooses: the tree alone would leave it to the order of the input.
   void collect_nearest(std::size_t i, std::size_t count, std::vector<Index>& nearest) const
   {
-    // Coincident points are not neighbors: where there are any, more points are asked for.
+    // Coincident points are not neighbors: where there are any, more points are asked for, and so are they where more
+    // than `count` may be meant, up to a limit that keeps thousands of copies of a point affordable.
+    std::vector<std::pair<double, Index> > elsewhere;
     const std::size_t available = m_tree->size();
-    for(std::size_t k = (std::min)(count + 1, available);; k = (std::min)(2 * k, available))
+    const std::size_t limit = 64 * (count / 64 < available ? count + 1 : available);
+    for(std::size_t k = count < available ? (std::min)(count + 2, available) : available;;
+        k = (std::min)(2 * k, available))
     {
-      nearest.clear();
       K_neighbor_search search(
           *m_tree, (*m_tree_points)[i], static_cast<unsigned int>(k), 0., true,
           typename K_neighbor_search::Distance(CGAL::make_property_map(std::as_const(*m_tree_points))),
           false);
-      std::size_t elsewhere = 0;
+      elsewhere.clear();
       for(const auto& found : search)
-      {
-        nearest.push_back(found.first);
         if((*m_tree_points)[found.first] != (*m_tree_points)[i])
-          ++elsewhere;
-      }
-      if(elsewhere >= count || k == available || k > 64 * (count + 1))
-        return;
+          elsewhere.emplace_back(found.second, found.first);
+      std::sort(elsewhere.begin(), elsewhere.end(),
+                [&](const auto& a, const auto& b)
+                { return a.first != b.first ? a.first < b.first : comes_before(a.second, b.second); });
+      if(k == available || k > limit ||
+         (elsewhere.size() > count && elsewhere[count - 1].first < elsewhere.back().first))
+        break;
     }
+    elsewhere.resize((std::min)(elsewhere.size(), count));
+    nearest.clear();
+    for(const auto& found : elsewhere)
+      nearest.push_back(found.second);
+  }
+
+  bool comes_before(const Index a, const Index b) const
+  {
+    const Point_3 &p = (*m_tree_points)[a], &q = (*m_tree_points)[b];
+    if(p != q || !has_normals())
+      return CGAL::lexicographically_xyz_smaller(p, q);
+    return internal::lexicographically_smaller(m_normals[a], m_normals[b]);
   }
 
   Neighborhood m_neighborhood;

@@ -14,7 +14,7 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Sorts neighbors by distance, then by coordinates: an order that the surface alone determines. Sums over a
+// Sorts neighbors by distance, then by coordinates, then by normals: an order that the surface alone determines. Sums over a
 // neighborhood then have the same bits whatever the order of the input and the type of the mesh.
 class Neighbor_order
 {
@@ -31,7 +31,9 @@ public:
               {
                 if(a.first != b.first)
                   return a.first < b.first;
-                return lexicographically_smaller(samples.point(a.second), samples.point(b.second));
+                if(samples.point(a.second) != samples.point(b.second) || !samples.has_normals())
+                  return lexicographically_smaller(samples.point(a.second), samples.point(b.second));
+                return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
               });
     for(std::size_t k = 0; k < neighbors.size(); ++k)
       neighbors[k] = m_keys[k].second;
