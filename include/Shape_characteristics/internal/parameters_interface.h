@@ -60,6 +60,7 @@ SC_new_parameter(sampling_distance_t, sampling_distance, sampling_distance)
 SC_new_parameter(number_of_edges_t, number_of_edges, number_of_edges)
 SC_new_parameter(face_weighting_t, face_weighting, face_weighting)
 SC_new_parameter(normal_weighting_t, normal_weighting, normal_weighting)
+SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
 SC_CGAL_parameter(degree_fitting_t, degree_fitting)
 
 // general
