@@ -7,25 +7,26 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
 
 // What an estimator says of the samples `0, ..., size - 1`. An estimator has a type `Workspace` and a member
-// `Curvature_estimate operator()(std::size_t, Workspace&) const`. Samples before which the callback stopped the
-// computation are CANCELLED.
+// `Curvature_estimate operator()(std::size_t, Workspace&) const` (or one that returns a type derived from it). Samples
+// before which the callback stopped the computation are CANCELLED.
 template <typename ConcurrencyTag, typename Estimator, typename NamedParameters>
-std::vector<Curvature_estimate>
-estimate_curvatures(const Estimator& estimator, std::size_t size, const NamedParameters& np)
+auto estimate_curvatures(const Estimator& estimator, std::size_t size, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using Workspace = typename Estimator::Workspace;
+  using Estimate = decltype(estimator(std::size_t(), std::declval<Workspace&>()));
 
   const std::function<bool(double)> callback =
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
-  std::vector<Curvature_estimate> estimates(size);
+  std::vector<Estimate> estimates(size);
   for_each_sample<ConcurrencyTag, Workspace>(
       size, [&](const std::size_t i, Workspace& workspace) { estimates[i] = estimator(i, workspace); },
       callback);
