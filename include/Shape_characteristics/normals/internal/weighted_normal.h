@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -69,10 +70,14 @@ weighted_normal(const Face_graph_samples& samples, std::size_t vertex, Normal_we
     switch(weighting)
     {
     case Normal_weighting::MAX:
-      term.value = cross / next_length / previous_length;
-      term.error = rounding * (1. + magnitude / next_length + magnitude / previous_length) / next_length /
-                   previous_length;
+    {
+      // the same bits whichever side the face shows
+      const double shorter = (std::min)(next_length, previous_length);
+      const double longer = (std::max)(next_length, previous_length);
+      term.value = cross / longer / shorter;
+      term.error = rounding * (1. + magnitude / longer + magnitude / shorter) / longer / shorter;
       break;
+    }
     case Normal_weighting::AREA:
       term = doubled_area_vector(samples, *f);
       break;
