@@ -32,7 +32,8 @@ namespace Shape_characteristics {
   The points are translated to their centroid and scaled to the root mean square distance 1, so that the result depends
   neither on the unit of length nor on the position. A shape parameter that is set in the basis function is meant
   relative to that size. One that is not set is chosen such that, at four times the mean distance of a point
-  to its nearest neighbor, the basis function is half (if it grows, double) its value at the center.
+  to its nearest neighbor, the basis function is half (if it grows, double) its value at the center; or at two or one times
+  that distance if the system is singular to working precision otherwise (`Gaussian`, for many points).
 
   A positive definite basis function gives a positive definite system, which is solved by Cholesky's method; any other one
   the thesis's, solved by LU with partial pivoting. The system may be singular: two points coincide, or the
@@ -88,20 +89,16 @@ public:
     m_frame.apply(centers);
     if constexpr(RadialBasisFunction::has_shape_parameter)
       if(!m_basis_function.is_shape_parameter_set())
-        m_basis_function =
-            internal::shape_parameter_of_half_value(m_basis_function, 4 * internal::mean_spacing(centers));
-
-    m_system.clear(m_basis_function, Eigen::Vector3d::Zero());
-    const std::array<Eigen::Vector3d, 3> axes{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
-                                              Eigen::Vector3d::UnitZ()};
-    for(Eigen::Index i = 0; i < centers.cols(); ++i)
-      m_system.add_center(Eigen::Vector3d(centers.col(i)), 0., axes,
-                          std::array<double, 3>{directions(0, i), directions(1, i), directions(2, i)});
-    if constexpr(RadialBasisFunction::is_positive_definite)
-      m_is_valid = m_system.solve_positive_definite(0., 0.);
-    else
-      m_is_valid = m_system.solve_indefinite();
-    m_is_valid = m_is_valid && interpolates(centers);
+      {
+        const double spacing = internal::mean_spacing(centers);
+        for(double reach = 4.; !m_is_valid && reach >= 1.; reach /= 2.)
+        {
+          m_basis_function = internal::shape_parameter_of_half_value(basis_function, reach * spacing);
+          solve(centers, directions);
+        }
+        return;
+      }
+    solve(centers, directions);
   }
 
   /// returns whether the system of equations could be solved. If not, each evaluation returns NaN.
@@ -128,6 +125,21 @@ public:
   Matrix hessian(const Point_3& p) const { return jet(p).hessian / m_frame.size(); }
 
 private:
+  void solve(const Eigen::Matrix3Xd& centers, const Eigen::Matrix3Xd& directions)
+  {
+    m_system.clear(m_basis_function, Eigen::Vector3d::Zero());
+    const std::array<Eigen::Vector3d, 3> axes{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                                              Eigen::Vector3d::UnitZ()};
+    for(Eigen::Index i = 0; i < centers.cols(); ++i)
+      m_system.add_center(Eigen::Vector3d(centers.col(i)), 0., axes,
+                          std::array<double, 3>{directions(0, i), directions(1, i), directions(2, i)});
+    if constexpr(RadialBasisFunction::is_positive_definite)
+      m_is_valid = m_system.solve_positive_definite(0., 0.);
+    else
+      m_is_valid = m_system.solve_indefinite();
+    m_is_valid = m_is_valid && interpolates(centers);
+  }
+
   internal::Hermite_jet jet(const Point_3& p) const
   {
     if(m_is_valid)

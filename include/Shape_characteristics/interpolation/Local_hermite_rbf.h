@@ -273,6 +273,15 @@ private:
     }
   }
 
+  // whether the surface bends as much as the samples can tell; what the function does off the surface doesn't matter
+  static bool is_bounded(const internal::Hermite_jet& jet)
+  {
+    const double length = jet.gradient.norm();
+    const Eigen::Matrix3d projection =
+        Eigen::Matrix3d::Identity() - (jet.gradient / length) * (jet.gradient / length).transpose();
+    return (projection * jet.hessian * projection).norm() < s_largest * length;
+  }
+
   bool fit_exact(double rounding, Workspace& workspace, internal::Hermite_jet& jet) const
   {
     const Vector& normal = workspace.normals[0];
@@ -295,7 +304,7 @@ private:
         continue;
       jet = workspace.system(Vector::Zero());
       const double length = jet.gradient.norm();
-      if(length > 0.1 && jet.gradient.dot(normal) > 0.5 * length && jet.hessian.norm() < s_largest * length)
+      if(length > 0.1 && jet.gradient.dot(normal) > 0.5 * length && is_bounded(jet))
         return true;
     }
     return false;
@@ -344,7 +353,7 @@ private:
       }
       jet = workspace.system(displacement);
       const double length = jet.gradient.norm();
-      if(length > 0.05 && displacement.norm() < 0.5 && jet.hessian.norm() < s_largest * length)
+      if(length > 0.05 && displacement.norm() < 0.5 && is_bounded(jet))
         return true;
       normal_variance *= 0.1;
       if(attempt >= 2)
@@ -365,8 +374,14 @@ private:
     }
     if(!workspace.system.solve_indefinite())
       return false;
+    // A matrix that is singular to working precision may be solved without complaint, and wrongly.
+    constexpr double tolerance = 1e-3;
+    const internal::Hermite_jet at_center = workspace.system(Vector::Zero());
+    if(!(std::abs(at_center.value) < tolerance &&
+         (at_center.gradient - workspace.normals[0]).norm() < tolerance))
+      return false;
     if(m_options.pattern.empty())
-      jet = workspace.system(Vector::Zero());
+      jet = at_center;
     else
     {
       Vector t1, t2;
@@ -379,7 +394,7 @@ private:
         jet.hessian += sample.hessian / double(m_options.pattern.size());
       }
     }
-    return jet.gradient.norm() > 0.;
+    return is_bounded(jet);
   }
 
   // The thesis's choice (8.1.1): mean edge length over the cubed longest side of a box, where that side is the unit

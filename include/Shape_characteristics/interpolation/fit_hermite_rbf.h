@@ -117,7 +117,7 @@ public:
     m_noise_level = choose_parameter(get_parameter(np, internal_np::noise_level), -1.);
     m_passes = choose_parameter(get_parameter(np, internal_np::number_of_passes), 0u);
     const double distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
-    const std::uint64_t seed = choose_parameter(get_parameter(np, internal_np::random_seed), 0u);
+    const std::uint64_t seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);
     m_callback = choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
 
     constexpr bool level_is_given =
