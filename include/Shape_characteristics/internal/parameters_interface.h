@@ -3,67 +3,72 @@
 
 // neighborhoods
 SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
-SC_new_parameter(number_of_neighbors_t, number_of_neighbors, number_of_neighbors)
-SC_CGAL_parameter(neighbor_radius_t, neighbor_radius)
+    SC_new_parameter(number_of_neighbors_t, number_of_neighbors, number_of_neighbors)
+        SC_CGAL_parameter(neighbor_radius_t, neighbor_radius)
 
-// input
-SC_CGAL_parameter(vertex_point_t, vertex_point_map)
-SC_CGAL_parameter(vertex_index_t, vertex_index_map)
-SC_CGAL_parameter(vertex_normal_map_t, vertex_normal_map)
-SC_CGAL_parameter(face_normal_t, face_normal_map)
-SC_CGAL_parameter(point_t, point_map)
-SC_CGAL_parameter(normal_t, normal_map)
-SC_CGAL_parameter(geom_traits_t, geom_traits)
+    // input
+    SC_CGAL_parameter(vertex_point_t, vertex_point_map) SC_CGAL_parameter(vertex_index_t, vertex_index_map)
+        SC_CGAL_parameter(vertex_normal_map_t, vertex_normal_map)
+            SC_CGAL_parameter(face_normal_t, face_normal_map) SC_CGAL_parameter(point_t, point_map)
+                SC_CGAL_parameter(normal_t, normal_map) SC_CGAL_parameter(geom_traits_t, geom_traits)
 
-// output
-SC_new_parameter(principal_curvatures_and_directions_map_t,
-                 principal_curvatures_and_directions_map,
-                 principal_curvatures_and_directions_map)
-SC_new_parameter(mean_curvature_map_t, mean_curvature_map, mean_curvature_map)
-SC_new_parameter(Gaussian_curvature_map_t, Gaussian_curvature_map, Gaussian_curvature_map)
-SC_new_parameter(vertex_status_map_t, vertex_status_map, vertex_status_map)
-SC_new_parameter(status_map_t, status_map, status_map)
+    // output
+    SC_new_parameter(principal_curvatures_and_directions_map_t,
+                     principal_curvatures_and_directions_map,
+                     principal_curvatures_and_directions_map)
+        SC_new_parameter(mean_curvature_map_t, mean_curvature_map, mean_curvature_map)
+            SC_new_parameter(Gaussian_curvature_map_t, Gaussian_curvature_map, Gaussian_curvature_map)
+                SC_new_parameter(vertex_status_map_t, vertex_status_map, vertex_status_map)
+                    SC_new_parameter(status_map_t, status_map, status_map)
 #if CGAL_VERSION_NR < CGAL_VERSION_NUMBER(6, 0, 0) // born in CGAL 6.0: ours before, CGAL's after
-SC_new_parameter(vertex_principal_curvatures_and_directions_map_t,
-                 vertex_principal_curvatures_and_directions_map,
-                 vertex_principal_curvatures_and_directions_map)
-SC_new_parameter(vertex_mean_curvature_map_t, vertex_mean_curvature_map, vertex_mean_curvature_map)
-SC_new_parameter(vertex_Gaussian_curvature_map_t,
-                 vertex_Gaussian_curvature_map,
-                 vertex_Gaussian_curvature_map)
-SC_new_parameter(vertex_principal_curvatures_and_directions_t,
-                 vertex_principal_curvatures_and_directions,
-                 vertex_principal_curvatures_and_directions)
-SC_new_parameter(vertex_mean_curvature_t, vertex_mean_curvature, vertex_mean_curvature)
-SC_new_parameter(vertex_Gaussian_curvature_t, vertex_Gaussian_curvature, vertex_Gaussian_curvature)
-SC_new_parameter(ball_radius_t, ball_radius, ball_radius)
+                        SC_new_parameter(vertex_principal_curvatures_and_directions_map_t,
+                                         vertex_principal_curvatures_and_directions_map,
+                                         vertex_principal_curvatures_and_directions_map)
+                            SC_new_parameter(vertex_mean_curvature_map_t,
+                                             vertex_mean_curvature_map,
+                                             vertex_mean_curvature_map)
+                                SC_new_parameter(vertex_Gaussian_curvature_map_t,
+                                                 vertex_Gaussian_curvature_map,
+                                                 vertex_Gaussian_curvature_map)
+                                    SC_new_parameter(vertex_principal_curvatures_and_directions_t,
+                                                     vertex_principal_curvatures_and_directions,
+                                                     vertex_principal_curvatures_and_directions)
+                                        SC_new_parameter(vertex_mean_curvature_t,
+                                                         vertex_mean_curvature,
+                                                         vertex_mean_curvature)
+                                            SC_new_parameter(vertex_Gaussian_curvature_t,
+                                                             vertex_Gaussian_curvature,
+                                                             vertex_Gaussian_curvature)
+                                                SC_new_parameter(ball_radius_t, ball_radius, ball_radius)
 #else
-SC_CGAL_parameter(vertex_principal_curvatures_and_directions_map_t,
-                  vertex_principal_curvatures_and_directions_map)
-SC_CGAL_parameter(vertex_mean_curvature_map_t, vertex_mean_curvature_map)
-SC_CGAL_parameter(vertex_Gaussian_curvature_map_t, vertex_Gaussian_curvature_map)
-SC_CGAL_parameter(vertex_principal_curvatures_and_directions_t, vertex_principal_curvatures_and_directions)
-SC_CGAL_parameter(vertex_mean_curvature_t, vertex_mean_curvature)
-SC_CGAL_parameter(vertex_Gaussian_curvature_t, vertex_Gaussian_curvature)
-SC_CGAL_parameter(ball_radius_t, ball_radius)
+                        SC_CGAL_parameter(vertex_principal_curvatures_and_directions_map_t,
+                                          vertex_principal_curvatures_and_directions_map)
+                            SC_CGAL_parameter(vertex_mean_curvature_map_t, vertex_mean_curvature_map)
+                                SC_CGAL_parameter(vertex_Gaussian_curvature_map_t,
+                                                  vertex_Gaussian_curvature_map)
+                                    SC_CGAL_parameter(vertex_principal_curvatures_and_directions_t,
+                                                      vertex_principal_curvatures_and_directions)
+                                        SC_CGAL_parameter(vertex_mean_curvature_t, vertex_mean_curvature)
+                                            SC_CGAL_parameter(vertex_Gaussian_curvature_t,
+                                                              vertex_Gaussian_curvature)
+                                                SC_CGAL_parameter(ball_radius_t, ball_radius)
 #endif
 
-// Hermite-RBF fit
-SC_new_parameter(radial_basis_function_t, radial_basis_function, radial_basis_function)
-SC_new_parameter(normals_are_exact_t, normals_are_exact, normals_are_exact)
-SC_new_parameter(noise_level_t, noise_level, noise_level)
-SC_new_parameter(number_of_passes_t, number_of_passes, number_of_passes)
-SC_new_parameter(shape_parameter_box_t, shape_parameter_box, shape_parameter_box)
-SC_new_parameter(sampling_distance_t, sampling_distance, sampling_distance)
+    // Hermite-RBF fit
+    SC_new_parameter(radial_basis_function_t, radial_basis_function, radial_basis_function)
+        SC_new_parameter(normals_are_exact_t, normals_are_exact, normals_are_exact)
+            SC_new_parameter(noise_level_t, noise_level, noise_level)
+                SC_new_parameter(number_of_passes_t, number_of_passes, number_of_passes)
+                    SC_new_parameter(shape_parameter_box_t, shape_parameter_box, shape_parameter_box)
+                        SC_new_parameter(sampling_distance_t, sampling_distance, sampling_distance)
 
-// other estimators
-SC_new_parameter(number_of_edges_t, number_of_edges, number_of_edges)
-SC_new_parameter(face_weighting_t, face_weighting, face_weighting)
-SC_new_parameter(normal_weighting_t, normal_weighting, normal_weighting)
-SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
-SC_CGAL_parameter(degree_fitting_t, degree_fitting)
+    // other estimators
+    SC_new_parameter(number_of_edges_t, number_of_edges, number_of_edges)
+        SC_new_parameter(face_weighting_t, face_weighting, face_weighting)
+            SC_new_parameter(normal_weighting_t, normal_weighting, normal_weighting)
+                SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
+                    SC_CGAL_parameter(degree_fitting_t, degree_fitting)
 
-// general
-SC_CGAL_parameter(callback_t, callback)
-SC_CGAL_parameter(random_seed_t, random_seed)
-SC_CGAL_parameter(verbose_t, verbose)
+    // general
+    SC_CGAL_parameter(callback_t, callback) SC_CGAL_parameter(random_seed_t, random_seed)
+        SC_CGAL_parameter(verbose_t, verbose)
