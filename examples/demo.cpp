@@ -8,6 +8,7 @@
 #include "support/camera_for.h"
 #include "support/data_file.h"
 #include "support/drawable_mesh.h"
+#include "support/drawable_point_set.h"
 #include "support/picture.h"
 
 #include <Shape_characteristics/characteristics/Gaussian_curvature.h>
@@ -280,7 +281,7 @@ void show(Demo& demo, Surface& surface, support::Drawable shape, const std::stri
   legend.title = options.legend_title;
   legend.range = options.render.range;
   sheet.set_legend(legend);
-  support::write_png((demo.folder / (name + "_comparison.png")).string(), sheet.image(3));
+  support::write_png((demo.folder / (name + "_comparison.png")).string(), sheet.image());
 }
 
 void show_mesh(Demo& demo, const std::string& name, double tail)
@@ -299,15 +300,7 @@ void show_point_set(Demo& demo, const std::string& file, double tail)
   std::ifstream stream(file_name);
   if(!CGAL::IO::read_XYZ(stream, points) || !points.has_normal_map())
     throw std::runtime_error("cannot read points with normals from " + file_name);
-  support::Drawable shape;
-  for(const Point_set::Index& i : points)
-  {
-    const auto& p = points.point(i);
-    const auto& n = points.normal(i);
-    shape.points.push_back({p.x(), p.y(), p.z()});
-    shape.normals.push_back({n.x(), n.y(), n.z()});
-  }
-  show(demo, points, shape, std::filesystem::path(file).stem().string(), tail);
+  show(demo, points, support::drawable_point_set(points), std::filesystem::path(file).stem().string(), tail);
 }
 
 } // namespace
@@ -320,7 +313,7 @@ try
   Demo demo(folder);
   show_mesh(demo, "elephant", 0.04);
   show_mesh(demo, "lion-head", 0.06);
-  show_mesh(demo, "anchor_dense", 0.25); // flat faces, holes and sharp edges: the holes are to be seen
+  show_mesh(demo, "anchor_dense", 0.15); // flat faces, holes and sharp edges: the holes are to be seen
   show_mesh(demo, "bunny00", 0.02);
   show_point_set(demo, "kitten.xyz", 0.02);
   if(!demo.is_right)

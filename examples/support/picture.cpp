@@ -12,7 +12,9 @@ Image picture(Mesh_renderer& renderer, const Drawable& shape, const Picture_opti
 {
   Image image(options.width, options.height, options.render.background);
   Painter painter(image);
-  const double unit = std::min(options.height / 900., options.width / 1200.), border = 28 * unit;
+  // texts shrink with the picture, as long as they can be read
+  const double unit = std::max(std::min(options.height / 900., options.width / 1200.), 0.55);
+  const double border = 28 * unit;
   double top = border;
 
   Text_style style;
