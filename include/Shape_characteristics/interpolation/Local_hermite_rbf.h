@@ -384,8 +384,11 @@ private:
       jet = at_center;
     else
     {
+      // the same pattern for a normal and its opposite: flipping a surface flips the result to the last bit
+      const Vector& n = workspace.normals[0];
+      const bool is_up = n.z() != 0. ? n.z() > 0. : (n.y() != 0. ? n.y() > 0. : n.x() > 0.);
       Vector t1, t2;
-      internal::tangent_basis(workspace.normals[0], t1, t2);
+      internal::tangent_basis(Vector(is_up ? n : Vector(-n)) + Vector::Zero(), t1, t2); // -0 becomes 0
       const double radius = m_options.pattern_radius / scale;
       for(const Eigen::Vector2d& c : m_options.pattern)
       {
