@@ -1,0 +1,438 @@
+#ifndef SHAPE_CHARACTERISTICS_TEST_BAD_INPUTS_ESTIMATORS_H
+#define SHAPE_CHARACTERISTICS_TEST_BAD_INPUTS_ESTIMATORS_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
+#include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
+#include <Shape_characteristics/curvature/tangent_space_curvatures.h>
+#include <Shape_characteristics/interpolation/Exponential_cubic.h>
+#include <Shape_characteristics/interpolation/Polyharmonic.h>
+#include <Shape_characteristics/normals/hrbf_normals.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+// All estimators as functions of one type, so that tests and fuzzers run through a list. An estimator is one line of
+// `estimators()`, for meshes and point sets at once.
+namespace bad_inputs {
+
+namespace SC = Shape_characteristics;
+using SC::Estimation_status;
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
+using Mesh = CGAL::Surface_mesh<Point_3>;
+
+struct Oriented_point
+{
+  Point_3 point;
+  Vector_3 normal;
+};
+using Point_set = std::vector<Oriented_point>;
+
+// What an estimator says of a sample. Values of curvatures: k_min, k_max, mean, Gaussian, and both directions; of
+// normals: x, y, z.
+struct Estimate
+{
+  Estimation_status status = Estimation_status::CANCELLED;
+  std::vector<double> values;
+
+  double k_min() const { return values[0]; }
+  double k_max() const { return values[1]; }
+  double mean() const { return values[2]; }
+  double Gaussian() const { return values[3]; }
+};
+
+struct Results
+{
+  std::vector<Estimate> samples; // of a mesh: by index of the vertex
+  std::size_t failures = 0;      // what was returned
+};
+
+template <typename Input>
+struct Estimator
+{
+  std::string name;
+  bool gives_curvatures = true; // or normals
+  // The overload for one vertex knows all that has a say: neither a level of noise nor a mean edge length of the whole.
+  bool is_local = true;
+  // It averages over a pattern, whose radius is the mean edge length of the whole, and which doesn't turn with the input.
+  bool has_pattern = false;
+  // There is a bound on curvature times size of the neighborhood, for every input.
+  bool is_bounded = true;
+  bool needs_triangles = false;
+  // Flipped normals negate the curvatures to the last bit.
+  bool flips_exactly = true;
+  // It looks at the axes of coordinates.
+  bool has_box = false;
+  // largest error on the unit cylinder and sphere sampled at 0.15, irregularly, with normals of faces
+  double accuracy = .01;
+  // relative to the largest curvature: what last bits of coordinates become
+  double reproducibility = 1e-9;
+  std::function<Results(const Input&)> all;
+  std::function<Estimate(typename Mesh::Vertex_index, const Mesh&)> one; // empty for point sets
+};
+
+namespace internal {
+
+// what no estimator may leave behind
+constexpr double unwritten = 8.765432e300;
+
+// maps of vertices and of points to the places of an array
+template <typename Input, typename T>
+struct Slots;
+
+template <typename T>
+struct Slots<Mesh, T>
+{
+  using key_type = Mesh::Vertex_index;
+  using value_type = T;
+  using reference = T&;
+  using category = boost::writable_property_map_tag;
+
+  T* first;
+  Slots(std::vector<T>& slots, const Mesh&) : first(slots.data()) {}
+  friend void put(const Slots& map, key_type v, const T& value) { map.first[std::size_t(v)] = value; }
+};
+
+template <typename T>
+struct Slots<Point_set, T>
+{
+  using key_type = Oriented_point;
+  using value_type = T;
+  using reference = T&;
+  using category = boost::writable_property_map_tag;
+
+  T* first;
+  const Oriented_point* begin;
+  Slots(std::vector<T>& slots, const Point_set& points) : first(slots.data()), begin(points.data()) {}
+  friend void put(const Slots& map, const Oriented_point& p, const T& value)
+  {
+    map.first[&p - map.begin] = value;
+  }
+};
+
+struct Points_of
+{
+  using key_type = Oriented_point;
+  using value_type = Point_3;
+  using reference = const Point_3&;
+  using category = boost::readable_property_map_tag;
+  friend const Point_3& get(Points_of, const Oriented_point& p) { return p.point; }
+};
+
+struct Normals_of
+{
+  using key_type = Oriented_point;
+  using value_type = Vector_3;
+  using reference = const Vector_3&;
+  using category = boost::readable_property_map_tag;
+  friend const Vector_3& get(Normals_of, const Oriented_point& p) { return p.normal; }
+};
+
+using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
+
+inline std::vector<double> values_of(const Curvatures& c, double mean, double Gaussian)
+{
+  return {c.min_curvature,
+          c.max_curvature,
+          mean,
+          Gaussian,
+          c.min_direction.x(),
+          c.min_direction.y(),
+          c.min_direction.z(),
+          c.max_direction.x(),
+          c.max_direction.y(),
+          c.max_direction.z()};
+}
+
+inline Curvatures unwritten_curvatures()
+{
+  const Vector_3 v(unwritten, unwritten, unwritten);
+  return Curvatures(unwritten, unwritten, v, v);
+}
+
+inline std::size_t number_of_slots(const Mesh& mesh)
+{
+  return mesh.number_of_vertices() + mesh.number_of_removed_vertices();
+}
+inline std::size_t number_of_slots(const Point_set& points)
+{
+  return points.size();
+}
+
+inline auto input_parameters(const Mesh& mesh)
+{
+  return SC::parameters::vertex_point_map(mesh.points());
+}
+inline auto input_parameters(const Point_set&)
+{
+  return SC::parameters::point_map(Points_of()).normal_map(Normals_of());
+}
+
+template <typename Input, typename Function, typename Parameters>
+Results all_curvatures(const Input& input, const Function& function, const Parameters& parameters)
+{
+  const std::size_t n = number_of_slots(input);
+  std::vector<Estimation_status> status(n, Estimation_status::CANCELLED);
+  std::vector<Curvatures> curvatures(n, unwritten_curvatures());
+  std::vector<double> mean(n, unwritten), Gaussian(n, unwritten);
+  const Slots<Input, Curvatures> curvature_map(curvatures, input);
+  const Slots<Input, double> mean_map(mean, input), Gaussian_map(Gaussian, input);
+  const Slots<Input, Estimation_status> status_map(status, input);
+
+  Results results;
+  const auto np = parameters(input_parameters(input), input);
+  if constexpr(std::is_same_v<Input, Mesh>)
+    results.failures = function(input, np.vertex_principal_curvatures_and_directions_map(curvature_map)
+                                           .vertex_mean_curvature_map(mean_map)
+                                           .vertex_Gaussian_curvature_map(Gaussian_map)
+                                           .vertex_status_map(status_map));
+  else
+    results.failures = function(input, np.principal_curvatures_and_directions_map(curvature_map)
+                                           .mean_curvature_map(mean_map)
+                                           .Gaussian_curvature_map(Gaussian_map)
+                                           .status_map(status_map));
+  for(std::size_t i = 0; i < n; ++i)
+    results.samples.push_back({status[i], values_of(curvatures[i], mean[i], Gaussian[i])});
+  return results;
+}
+
+template <typename Function, typename Parameters>
+Estimate
+one_curvature(Mesh::Vertex_index v, const Mesh& mesh, const Function& function, const Parameters& parameters)
+{
+  Curvatures curvatures = unwritten_curvatures();
+  double mean = unwritten, Gaussian = unwritten;
+  const auto np = parameters(input_parameters(mesh), mesh);
+  const Estimation_status status =
+      function(v, mesh,
+               np.vertex_principal_curvatures_and_directions(std::ref(curvatures))
+                   .vertex_mean_curvature(std::ref(mean))
+                   .vertex_Gaussian_curvature(std::ref(Gaussian)));
+  return {status, values_of(curvatures, mean, Gaussian)};
+}
+
+template <typename Input, typename Function, typename Parameters>
+Results all_normals(const Input& input, const Function& function, const Parameters& parameters)
+{
+  const std::size_t n = number_of_slots(input);
+  std::vector<Estimation_status> status(n, Estimation_status::CANCELLED);
+  std::vector<Vector_3> normals(n, Vector_3(unwritten, unwritten, unwritten));
+  const Slots<Input, Vector_3> normal_map(normals, input);
+  const Slots<Input, Estimation_status> status_map(status, input);
+
+  Results results;
+  const auto np = parameters(input_parameters(input), input);
+  if constexpr(std::is_same_v<Input, Mesh>)
+    results.failures = function(input, normal_map, np.vertex_status_map(status_map));
+  else
+    results.failures = function(input, normal_map, np.status_map(status_map));
+  for(std::size_t i = 0; i < n; ++i)
+    results.samples.push_back({status[i], {normals[i].x(), normals[i].y(), normals[i].z()}});
+  return results;
+}
+
+template <typename Input>
+class List
+{
+public:
+  // `parameters(np, input)` adds the estimator's own to the parameters that describe the input.
+  template <typename Function, typename Parameters>
+  Estimator<Input>&
+  add_curvatures(const std::string& name, const Function& function, const Parameters& parameters)
+  {
+    Estimator<Input> estimator;
+    estimator.name = name;
+    estimator.all = [=](const Input& input) { return all_curvatures(input, function, parameters); };
+    if constexpr(std::is_same_v<Input, Mesh>)
+      estimator.one = [=](const Mesh::Vertex_index v, const Mesh& mesh)
+      { return one_curvature(v, mesh, function, parameters); };
+    m_estimators.push_back(estimator);
+    return m_estimators.back();
+  }
+
+  template <typename Function, typename Parameters>
+  Estimator<Input>&
+  add_normals(const std::string& name, const Function& function, const Parameters& parameters)
+  {
+    Estimator<Input> estimator;
+    estimator.name = name;
+    estimator.gives_curvatures = false;
+    estimator.all = [=](const Input& input) { return all_normals(input, function, parameters); };
+    m_estimators.push_back(estimator);
+    return m_estimators.back();
+  }
+
+  const std::vector<Estimator<Input>>& estimators() const { return m_estimators; }
+
+private:
+  std::vector<Estimator<Input>> m_estimators;
+};
+
+} // namespace internal
+
+// the list
+template <typename Input>
+std::vector<Estimator<Input>> estimators()
+{
+  const auto hrbf = [](auto&&... a) { return SC::hrbf_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto jet_fitting = [](auto&&... a)
+  { return SC::jet_fitting_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto normals = [](auto&&... a) { return SC::hrbf_normals(std::forward<decltype(a)>(a)...); };
+  const auto defaults = [](const auto& np, const auto&) { return np; };
+
+  internal::List<Input> list;
+  {
+    Estimator<Input>& e = list.add_curvatures("hrbf", hrbf, defaults);
+    e.is_local = false; // the level of noise is that of the whole
+    e.accuracy = .002;
+    e.reproducibility = 1e-8;
+  }
+  {
+    Estimator<Input>& e = list.add_curvatures(
+        "hrbf, exact normals", hrbf, [](const auto& np, const auto&) { return np.normals_are_exact(true); });
+    e.accuracy = .15;         // normals of faces aren't exact
+    e.reproducibility = 1e-4; // and give its flat functions large weights
+  }
+  {
+    Estimator<Input>& e =
+        list.add_curvatures("hrbf, Polyharmonic<3>, exact normals", hrbf,
+                            [](const auto& np, const auto&) {
+                              return np.radial_basis_function(SC::Polyharmonic<3>()).normals_are_exact(true);
+                            });
+    e.accuracy = .15;
+  }
+  {
+    Estimator<Input>& e = list.add_curvatures("hrbf, Polyharmonic<3>", hrbf,
+                                              [](const auto& np, const auto&)
+                                              { return np.radial_basis_function(SC::Polyharmonic<3>()); });
+    e.is_local = false;
+    e.has_pattern = true;
+    e.accuracy = .1;
+  }
+  {
+    Estimator<Input>& e = list.add_curvatures(
+        "hrbf, Exponential_cubic, exact normals", hrbf,
+        [](const auto& np, const auto&)
+        { return np.radial_basis_function(SC::Exponential_cubic()).normals_are_exact(true); });
+    e.has_box = true;
+    e.accuracy = 4.; // its matrix is indefinite: some neighborhoods give nonsense
+  }
+  list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
+  if constexpr(std::is_same_v<Input, Mesh>)
+  {
+    const auto rusinkiewicz = [](auto&&... a)
+    { return SC::rusinkiewicz_curvatures(std::forward<decltype(a)>(a)...); };
+    const auto tangent_space = [](auto&&... a)
+    { return SC::tangent_space_curvatures(std::forward<decltype(a)>(a)...); };
+    for(const bool averages : {true, false})
+    {
+      Estimator<Input>& e = averages ? list.add_curvatures("rusinkiewicz", rusinkiewicz, defaults)
+                                     : list.add_curvatures("tangent_space", tangent_space, defaults);
+      e.needs_triangles = true;
+      e.flips_exactly = false; // a flipped triangle starts with another edge
+      e.accuracy = .05;
+    }
+  }
+  list.add_normals("hrbf_normals", normals, defaults).is_local = false;
+  return list.estimators();
+}
+
+// Bits ----------------------------------------------------------------------------------------------------
+
+// all NaN alike, and both zeros
+inline bool same(double a, double b)
+{
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+inline bool same(const Estimate& a, const Estimate& b)
+{
+  if(a.status != b.status || a.values.size() != b.values.size())
+    return false;
+  for(std::size_t i = 0; i < a.values.size(); ++i)
+    if(!same(a.values[i], b.values[i]))
+      return false;
+  return true;
+}
+
+// What holds for every input -------------------------------------------------------------------------------
+
+// returns what is wrong with an answer; empty if nothing is
+inline std::string complaint(const Estimate& e)
+{
+  if(e.status == Estimation_status::CANCELLED)
+    return "there is no status";
+  for(const double value : e.values)
+  {
+    if(value == internal::unwritten)
+      return "a value wasn't written";
+    if(SC::is_estimated(e.status) && !std::isfinite(value))
+      return std::string("a value isn't finite, but the status is ") + SC::to_string(e.status);
+    if(!SC::is_estimated(e.status) && !std::isnan(value))
+      return std::string("a value isn't NaN, but the status is ") + SC::to_string(e.status);
+  }
+  if(!SC::is_estimated(e.status))
+    return "";
+
+  const auto dot = [&](const std::size_t i, const std::size_t j) {
+    return e.values[i] * e.values[j] + e.values[i + 1] * e.values[j + 1] + e.values[i + 2] * e.values[j + 2];
+  };
+  if(e.values.size() == 3)
+    return std::abs(dot(0, 0) - 1.) < 1e-12 ? "" : "the normal isn't of unit length";
+  if(!(e.k_min() <= e.k_max()))
+    return "the curvatures aren't ordered";
+  if(!same(e.mean(), e.k_min() / 2. + e.k_max() / 2.) || !same(e.Gaussian(), e.k_min() * e.k_max()))
+    return "the mean or the Gaussian curvature isn't that of the principal ones";
+  if(std::abs(dot(4, 4) - 1.) > 1e-12 || std::abs(dot(7, 7) - 1.) > 1e-12)
+    return "a direction isn't of unit length";
+  if(std::abs(dot(4, 7)) > 1e-12)
+    return "the directions aren't orthogonal";
+  return "";
+}
+
+template <typename Input>
+std::string complaint(const Results& results, const Input& input)
+{
+  std::size_t failures = 0;
+  const auto check = [&](const std::size_t i)
+  {
+    failures += !SC::is_estimated(results.samples[i].status);
+    const std::string what = complaint(results.samples[i]);
+    return what.empty() ? what : "sample " + std::to_string(i) + ": " + what;
+  };
+  if constexpr(std::is_same_v<Input, Mesh>)
+  {
+    for(const auto v : input.vertices())
+      if(const std::string what = check(std::size_t(v)); !what.empty())
+        return what;
+  }
+  else
+    for(std::size_t i = 0; i < input.size(); ++i)
+      if(const std::string what = check(i); !what.empty())
+        return what;
+  return failures == results.failures ? ""
+                                      : std::to_string(results.failures) + " failures were returned, but " +
+                                            std::to_string(failures) + " were announced";
+}
+
+} // namespace bad_inputs
+
+#endif // SHAPE_CHARACTERISTICS_TEST_BAD_INPUTS_ESTIMATORS_H
