@@ -190,10 +190,12 @@ public:
   {
     if(!file_)
       throw std::runtime_error("cannot write " + file_name);
-    print("| shape           | estimator              | vertices | estimated | flagged | vertices/s | mean "
-          "difference of H to HRBF | of mean abs(H) |\n"
-          "|:----------------|:-----------------------|---------:|----------:|--------:|-----------:|-----"
-          "------------------------:|---------------:|\n");
+    print("| shape        | estimator              | vertices | estimated | flagged | vertices/s | mean "
+          "abs(H) of HRBF "
+          "| mean abs. difference of H to it | median |\n"
+          "|:-------------|:-----------------------|---------:|----------:|--------:|-----------:|-----------"
+          "---------:"
+          "|--------------------------------:|-------:|\n");
   }
 
   void add(const std::string& shape,
@@ -201,20 +203,24 @@ public:
            const Estimates& estimates,
            const Estimates& reference)
   {
+    std::vector<double> differences;
     double difference = 0, size = 0;
-    std::size_t count = 0;
     for(std::size_t i = 0; i < estimates.status.size(); ++i)
       if(SC::is_estimated(estimates.status[i]) && SC::is_estimated(reference.status[i]))
       {
-        difference += std::abs(estimates.mean_curvatures[i] - reference.mean_curvatures[i]);
+        differences.push_back(std::abs(estimates.mean_curvatures[i] - reference.mean_curvatures[i]));
+        difference += differences.back();
         size += std::abs(reference.mean_curvatures[i]);
-        ++count;
       }
+    if(differences.empty())
+      throw std::runtime_error(shape + ", " + estimator + ": nothing could be estimated");
     const std::size_t n = estimates.status.size();
     char row[256];
-    std::snprintf(row, sizeof row, "| %-15s | %-22s | %8zu | %9zu | %7zu | %10.0f | %28.4g | %12.1f %% |\n",
+    std::snprintf(row, sizeof row,
+                  "| %-12s | %-22s | %8zu | %9zu | %7zu | %10.0f | %19.4g | %31.4g | %6.3g |\n",
                   shape.c_str(), estimator.c_str(), n, n - estimates.flagged, estimates.flagged,
-                  double(n) / estimates.seconds, difference / double(count), 100 * difference / size);
+                  double(n) / estimates.seconds, size / double(differences.size()),
+                  difference / double(differences.size()), support::percentile(differences, 0.5));
     print(row);
   }
 
