@@ -258,6 +258,7 @@ void show(Demo& demo, Surface& surface, support::Drawable shape, const std::stri
   options.title = name;
   options.render.camera = support::camera_for(name);
   support::Contact_sheet sheet(name + ": mean curvature");
+  int number_of_estimators = 0;
 
   for_each_estimator<Surface>(
       [&](const std::string& estimator, const std::string& file, const auto& function)
@@ -281,13 +282,15 @@ void show(Demo& demo, Surface& surface, support::Drawable shape, const std::stri
         thumbnail.width = 480;
         thumbnail.height = 400;
         sheet.add(demo.renderer.render(shape, thumbnail), estimator);
+        ++number_of_estimators;
       });
 
   support::Legend legend;
   legend.title = options.legend_title;
   legend.range = options.render.range;
   sheet.set_legend(legend);
-  support::write_png((demo.folder / (name + "_comparison.png")).string(), sheet.image());
+  const support::Image image = sheet.image((number_of_estimators + 1) / 2); // two rows
+  support::write_png((demo.folder / (name + "_comparison.png")).string(), image);
 }
 
 void show_mesh(Demo& demo, const std::string& name, double tail)
