@@ -209,6 +209,10 @@ private:
       for(const auto j : neighbors)
         workspace.mean_spacing += m_surface.spacing(j);
       workspace.mean_spacing /= double(neighbors.size() + 1);
+      // of samples that coincide or are infinitely far: no shape parameter follows from it
+      constexpr double epsilon = std::numeric_limits<double>::epsilon();
+      if(!(workspace.mean_spacing > epsilon * scale) || !(workspace.mean_spacing < scale / epsilon))
+        return Estimation_status::DEGENERATE;
     }
     merge(workspace);
     return workspace.points.size() <= s_minimum || is_collinear(workspace.points)

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_FIT_HERMITE_RBF_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
@@ -38,8 +39,8 @@ unsigned int reach_of_hermite_rbf(const NamedParameters& np)
   the data of some neighborhoods together are likeliest. Each neighborhood alone knows too little to choose.
 */
 template <typename SampledSurface, typename RadialBasisFunction>
-double estimate_noise_level(const Local_hermite_rbf<SampledSurface, RadialBasisFunction>& fit,
-                            std::size_t size)
+double estimate_noise_level(const SampledSurface& surface,
+                            const Local_hermite_rbf<SampledSurface, RadialBasisFunction>& fit)
 {
   constexpr std::size_t number_of_probes = 50;
   constexpr int first_exponent = -12, last_exponent = -1; // of the variance
@@ -50,11 +51,24 @@ double estimate_noise_level(const Local_hermite_rbf<SampledSurface, RadialBasisF
   std::array<double, levels> likelihood{}, of_probe{};
   std::array<std::size_t, levels> failures{};
   std::size_t used = 0;
-  const std::size_t probes = (std::min)(number_of_probes, size);
+  // The probes are spread evenly over the surface's own order: that of the input, and samples that can't be used, don't
+  // matter.
+  std::vector<std::size_t> samples;
+  for(std::size_t i = 0; i < surface.size(); ++i)
+    if(is_estimated(surface.status(i)))
+      samples.push_back(i);
+  std::sort(samples.begin(), samples.end(),
+            [&](const std::size_t i, const std::size_t j)
+            {
+              if(surface.point(i) != surface.point(j))
+                return lexicographically_smaller(surface.point(i), surface.point(j));
+              return lexicographically_smaller(surface.normal(i), surface.normal(j));
+            });
+  const std::size_t probes = (std::min)(number_of_probes, samples.size());
   const auto level = [](const std::size_t e) { return std::pow(10., (first_exponent + int(e)) / 2.); };
   for(std::size_t k = 0; k < probes; ++k)
   {
-    const std::size_t i = (2 * k + 1) * size / (2 * probes);
+    const std::size_t i = samples[(2 * k + 1) * samples.size() / (2 * probes)];
     for(std::size_t e = levels; e-- > 0;)
     {
       of_probe[e] = fit.log_likelihood(i, level(e), workspace);
@@ -141,9 +155,8 @@ public:
     {
       if(!m_normals_are_exact)
       {
-        options.noise_level = m_noise_level >= 0.
-                                  ? m_noise_level
-                                  : estimate_noise_level(Fit(surface, phi, options), surface.size());
+        options.noise_level =
+            m_noise_level >= 0. ? m_noise_level : estimate_noise_level(surface, Fit(surface, phi, options));
         const std::size_t passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
         for(std::size_t pass = 0; pass + 1 < passes; ++pass)
           if(!denoise(surface, Fit(surface, phi, options), pass, passes))
