@@ -303,7 +303,7 @@ std::vector<Estimator<Input>> estimators()
     Estimator<Input>& e = list.add_curvatures("hrbf", hrbf, defaults);
     e.is_local = false; // the level of noise is that of the whole
     e.accuracy = .002;
-    e.reproducibility = 1e-8;
+    e.reproducibility = 1e-4; // of points without noise; a larger level of noise gives smaller weights
   }
   {
     Estimator<Input>& e = list.add_curvatures(
@@ -380,11 +380,14 @@ inline std::string complaint(const Estimate& e)
 {
   if(e.status == Estimation_status::CANCELLED)
     return "there is no status";
-  for(const double value : e.values)
+  for(std::size_t i = 0; i < e.values.size(); ++i)
   {
+    const double value = e.values[i];
+    const bool overflows = i == 3 && std::isinf(e.k_min() * e.k_max()) && std::isfinite(e.k_min()) &&
+                           std::isfinite(e.k_max()); // a product of curvatures beyond 1e154
     if(value == internal::unwritten)
       return "a value wasn't written";
-    if(SC::is_estimated(e.status) && !std::isfinite(value))
+    if(SC::is_estimated(e.status) && !std::isfinite(value) && !overflows)
       return std::string("a value isn't finite, but the status is ") + SC::to_string(e.status);
     if(!SC::is_estimated(e.status) && !std::isnan(value))
       return std::string("a value isn't NaN, but the status is ") + SC::to_string(e.status);
