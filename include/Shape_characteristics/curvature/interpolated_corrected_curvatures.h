@@ -12,6 +12,7 @@
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/length.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/internal/to_eigen.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -93,6 +94,8 @@ public:
     const double sign = side(workspace.m_faces, edge_length);
     if(sign == 0.)
       return Corrected_curvature_estimate(Estimation_status::DEGENERATE);
+    if(has_equal_normals(i, workspace.m_faces))
+      return plane(status, m_samples.normal(i));
 
     for(const double unit : s_units)
       if(const Corrected_curvature_estimate estimate =
@@ -103,9 +106,11 @@ public:
   }
 
 private:
-  // Mean edge lengths with which CGAL is called. With short ones the eigenvalues are accurate, with long ones no
-  // concave curvature is mistaken for the normal's.
-  static constexpr double s_units[] = {1.};
+  // The mean edge lengths with which CGAL is called, until one suits. CGAL adds 1000 times the mean edge to the
+  // eigenvalue in the direction of the normal to tell it from the others. The less it adds, the less rounding errors
+  // the others have (6e-9 per mean edge with the first); but concave curvatures near or above 1000 times the square of
+  // the mean edge, per mean edge, then look like the normal's.
+  static constexpr double s_units[] = {1. / 32., 1., 32.};
 
   void collect_faces(std::size_t i, Workspace& workspace) const
   {
@@ -115,21 +120,17 @@ private:
     std::copy_if(begin, end, std::back_inserter(faces), [&](const Index f) { return is_usable(f); });
     if(m_radius == 0.)
       return;
+    // Those that don't touch the ball stay out: where only a part of a mesh is known, they may be missing.
     workspace.m_visited.clear();
     workspace.m_visited.insert(faces.begin(), faces.end());
     for(std::size_t next = 0; next < faces.size(); ++next)
-    {
-      const Index f = faces[next];
-      if(!touches_ball(f, i))
-        continue;
-      for(std::size_t k = 0; k < m_samples.degree(f); ++k)
+      for(std::size_t k = 0; k < m_samples.degree(faces[next]); ++k)
       {
-        const auto [first, last] = m_samples.incident_faces(m_samples.vertex(f, k));
+        const auto [first, last] = m_samples.incident_faces(m_samples.vertex(faces[next], k));
         for(const Index* g = first; g != last; ++g)
-          if(is_usable(*g) && workspace.m_visited.insert(*g).second)
+          if(workspace.m_visited.insert(*g).second && is_usable(*g) && touches_ball(*g, i))
             faces.push_back(*g);
       }
-    }
   }
 
   bool is_usable(Index f) const
@@ -138,6 +139,28 @@ private:
       if(!m_samples.is_usable(m_samples.vertex(f, k)))
         return false;
     return true;
+  }
+
+  // whether the normals of all corners are the one of `i`, up to rounding errors
+  bool has_equal_normals(std::size_t i, const std::vector<Index>& faces) const
+  {
+    double largest = 0.;
+    for(const Index f : faces)
+      for(std::size_t k = 0; k < m_samples.degree(f); ++k)
+        largest =
+            (std::max)(largest, (m_samples.normal(m_samples.vertex(f, k)) - m_samples.normal(i)).norm());
+    return !faces.empty() && largest <= 8. * std::numeric_limits<double>::epsilon();
+  }
+
+  // what the eigenvalues' rounding errors would hide
+  static Corrected_curvature_estimate plane(Estimation_status status, const Eigen::Vector3d& normal)
+  {
+    Shape_operator_eigen zero;
+    zero.min_curvature = zero.max_curvature = 0.;
+    tangent_basis(normal, zero.min_direction, zero.max_direction);
+    Corrected_curvature_estimate estimate(status, zero);
+    estimate.measured_mean = estimate.measured_Gaussian = 0.;
+    return estimate;
   }
 
   // whether a vertex or the center of a face is in the ball, as CGAL asks
@@ -253,9 +276,9 @@ private:
     // CGAL takes the two smallest of three eigenvalues; if the third was that of a tangent, the values are wrong.
     const Eigen::Vector3d& n = m_samples.normal(i);
     const Eigen::Vector3d d = to_eigen(principal.max_direction);
-    constexpr double smallest_angle = .5;
-    if(!(std::abs(n.dot(d)) < smallest_angle) ||
-       !(std::abs(n.dot(to_eigen(principal.min_direction))) < smallest_angle))
+    constexpr double largest_cosine = .1;
+    if(!(std::abs(n.dot(d)) < largest_cosine) ||
+       !(std::abs(n.dot(to_eigen(principal.min_direction))) < largest_cosine))
       return failure;
 
     Shape_operator_eigen result;
@@ -377,7 +400,7 @@ std::size_t interpolated_corrected_curvatures(const FaceGraph& mesh,
   \ingroup PkgShapeCharacteristicsCurvature
 
   estimates the curvatures at one vertex of a mesh: those that `interpolated_corrected_curvatures()` of the whole mesh
-  gives, bit for bit.
+  gives, bit for bit, unless there are triangles much longer than the radius of the ball.
 
   \param v the vertex
   \param mesh the mesh
@@ -405,7 +428,8 @@ Estimation_status interpolated_corrected_curvatures(typename internal::Vertex_de
 
   const double radius = internal::corrected_curvatures_radius(np);
   const Neighborhood neighborhood = radius == 0. ? Neighborhood::rings(1) : Neighborhood::ball(radius);
-  const Face_graph_samples samples = sampled_surface(v, mesh, neighborhood, 1, np);
+  // twice the ball: the faces that touch it, and those that give their vertices normals
+  const Face_graph_samples samples = sampled_surface(v, mesh, neighborhood, 2, np);
   const internal::Interpolated_corrected_estimator estimator(samples, radius);
   internal::Interpolated_corrected_estimator::Workspace workspace;
   const auto estimate = estimator(0, workspace);
