@@ -151,9 +151,17 @@ public:
         if((m_points[begin] - m_points[0]).norm() <= radius)
           copy_neighbors(copied[begin]);
     }
-    // One ring more gives all the inner vertices all their faces.
+    // All the faces of all of them, whole: the neighbors of the inner vertices have their normals.
     for(std::size_t i = 0, end = copied.size(); i != end; ++i)
+    {
       copy_neighbors(copied[i]);
+      const auto start = halfedge(copied[i], mesh);
+      if(start != Graph_traits::null_halfedge())
+        for(const auto h : CGAL::halfedges_around_target(start, mesh))
+          if(!CGAL::is_border(h, mesh))
+            for(const vertex_descriptor w : CGAL::vertices_around_face(h, mesh))
+              copy(w);
+    }
 
     const auto index = [&](const vertex_descriptor v) { return index_of.at(v); };
     std::vector<typename Graph_traits::edge_descriptor> copied_edges;
