@@ -1,0 +1,436 @@
+#define BOOST_TEST_MODULE face_graph_samples
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Polyhedron_3.h>
+#include <CGAL/Polyhedron_items_with_id_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#ifdef CGAL_USE_OPENMESH
+#ifdef __GNUC__
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // OpenMesh grows its arrays by uninitialized vectors
+#endif
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#endif
+
+#include <Shape_characteristics/normals/vertex_normals.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
+
+#include "analytic_surfaces.h"
+#include "bad_meshes.h"
+#include "build_mesh.h"
+
+#include <CGAL/boost/graph/Euler_operations.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace SC = Shape_characteristics;
+using namespace test_support;
+using S = SC::Estimation_status;
+using SC::Face_graph_samples;
+using SC::Neighborhood;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
+using Indices = std::vector<Face_graph_samples::Index>;
+
+namespace {
+
+Polygon_arrays arrays(const Analytic_surface& s)
+{
+  return test_support::internal::polygons(s.name, s);
+}
+
+template <typename FaceGraph>
+Face_graph_samples samples_of(const FaceGraph& mesh, const Neighborhood& neighborhood)
+{
+  return Face_graph_samples(mesh, get(CGAL::vertex_point, mesh), neighborhood);
+}
+
+std::vector<std::set<std::size_t>> adjacency(const Polygon_arrays& a)
+{
+  std::vector<std::set<std::size_t>> neighbors(a.points.size());
+  for(const auto& f : a.faces)
+    for(std::size_t k = 0; k < f.size(); ++k)
+    {
+      neighbors[f[k]].insert(f[(k + 1) % f.size()]);
+      neighbors[f[(k + 1) % f.size()]].insert(f[k]);
+    }
+  return neighbors;
+}
+
+// the vertices that are reached from `v` by at most `rings` edges between accepted vertices, nearest first, then in the
+// lexicographic order of the points
+template <typename Accept>
+Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, const Accept& accept)
+{
+  const auto neighbors = adjacency(a);
+  std::set<std::size_t> reached = {v};
+  for(std::size_t ring = 0; ring < rings; ++ring)
+  {
+    std::set<std::size_t> next = reached;
+    for(const std::size_t i : reached)
+      for(const std::size_t j : neighbors[i])
+        if(accept(j))
+          next.insert(j);
+    if(next == reached)
+      break;
+    reached = next;
+  }
+  reached.erase(v);
+  Indices result(reached.begin(), reached.end());
+  const auto key = [&](const std::size_t i)
+  {
+    const Vector d = a.points[i] - a.points[v];
+    return std::make_tuple(d.x * d.x + d.y * d.y + d.z * d.z, a.points[i].x, a.points[i].y, a.points[i].z);
+  };
+  std::sort(result.begin(), result.end(),
+            [&](const std::size_t i, const std::size_t j) { return key(i) < key(j); });
+  return result;
+}
+
+const auto all = [](std::size_t) { return true; };
+
+std::vector<Polygon_arrays> some_meshes()
+{
+  return {arrays(waves(.1, 4., 1., 8, .15)),
+          arrays(torus(1., .4, 16, 8, .1)),
+          cube_of_quads(),
+          prism_of_polygons(),
+          bow_tie(),
+          isolated_vertices(),
+          thin_strip(20)};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(rings_are_those_of_a_breadth_first_search)
+{
+  for(const Polygon_arrays& a : some_meshes())
+    for(const unsigned rings : {1u, 2u, 3u})
+      BOOST_TEST_CONTEXT(a.name << ", " << rings << " rings")
+      {
+        const Mesh mesh = build_mesh<Mesh>(a);
+        const Face_graph_samples samples = samples_of(mesh, Neighborhood::rings(rings));
+        BOOST_REQUIRE(samples.size() == a.points.size());
+        Face_graph_samples::Workspace workspace;
+        for(std::size_t v = 0; v < a.points.size(); ++v)
+          BOOST_TEST((samples.neighbors(v, 0, workspace) == plain_search(a, v, rings, all)), "vertex " << v);
+      }
+}
+
+// As long as there are less than the minimum, one ring more, but not more than two.
+BOOST_AUTO_TEST_CASE(rings_grow)
+{
+  for(const Polygon_arrays& a : {arrays(waves(.1, 4., 1., 8, .15)), thin_strip(20)})
+    for(const std::size_t minimum : {3u, 6u, 9u, 1000u})
+    {
+      const Mesh mesh = build_mesh<Mesh>(a);
+      const Face_graph_samples samples = samples_of(mesh, Neighborhood::rings(1));
+      Face_graph_samples::Workspace workspace;
+      std::size_t grown = 0;
+      for(std::size_t v = 0; v < a.points.size(); ++v)
+      {
+        std::size_t rings = 1;
+        while(rings < 3 && plain_search(a, v, rings, all).size() < minimum)
+          ++rings;
+        grown += rings > 1;
+        BOOST_TEST((samples.neighbors(v, minimum, workspace) == plain_search(a, v, rings, all)),
+                   a.name << ", vertex " << v);
+      }
+      BOOST_TEST(grown > 0);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(balls_are_searched_along_edges)
+{
+  std::vector<Polygon_arrays> meshes = some_meshes();
+  meshes.push_back(two_sheets(.01, 8)); // the other sheet is in the ball, but not along edges
+  for(const Polygon_arrays& a : meshes)
+    for(const double radius : {.2, .5, 1.1, 100.})
+      BOOST_TEST_CONTEXT(a.name << ", radius " << radius)
+      {
+        const Mesh mesh = build_mesh<Mesh>(a);
+        const Face_graph_samples samples = samples_of(mesh, Neighborhood::ball(radius));
+        Face_graph_samples::Workspace workspace;
+        for(std::size_t v = 0; v < a.points.size(); ++v)
+        {
+          const auto in_ball = [&](const std::size_t j)
+          { return dot(a.points[j] - a.points[v], a.points[j] - a.points[v]) <= radius * radius; };
+          BOOST_TEST((samples.neighbors(v, 0, workspace) == plain_search(a, v, a.points.size(), in_ball)),
+                     "vertex " << v);
+        }
+      }
+}
+
+namespace {
+
+void check_same(const Face_graph_samples& a, const Face_graph_samples& b, std::size_t minimum)
+{
+  BOOST_REQUIRE(a.size() == b.size());
+  BOOST_REQUIRE(a.number_of_faces() == b.number_of_faces());
+  BOOST_TEST(a.is_triangle_mesh() == b.is_triangle_mesh());
+  BOOST_TEST(a.mean_spacing() == b.mean_spacing());
+  for(std::size_t f = 0; f < a.number_of_faces(); ++f)
+  {
+    BOOST_REQUIRE(a.degree(f) == b.degree(f));
+    for(std::size_t k = 0; k < a.degree(f); ++k)
+      BOOST_TEST(a.vertex(f, k) == b.vertex(f, k));
+  }
+  Face_graph_samples::Workspace of_a, of_b;
+  for(std::size_t i = 0; i < a.size(); ++i)
+  {
+    BOOST_TEST((a.point(i) == b.point(i)));
+    BOOST_TEST((a.status(i) == b.status(i)));
+    BOOST_TEST(a.spacing(i) == b.spacing(i));
+    const auto faces_a = a.incident_faces(i), faces_b = b.incident_faces(i);
+    BOOST_TEST(std::equal(faces_a.first, faces_a.second, faces_b.first, faces_b.second));
+    BOOST_TEST((a.neighbors(i, minimum, of_a) == b.neighbors(i, minimum, of_b)));
+  }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(mesh_types_give_the_same_arrays)
+{
+  for(const Analytic_surface& surface : {waves(.1, 4., 1., 8, .15), torus(1., .4, 16, 8, .1)})
+    for(const Neighborhood& neighborhood : {Neighborhood::rings(2), Neighborhood::ball(.4)})
+    {
+      const Mesh mesh = build_mesh<Mesh>(surface);
+      const Face_graph_samples expected = samples_of(mesh, neighborhood);
+      const Polyhedron polyhedron = build_mesh<Polyhedron>(surface);
+      check_same(expected, samples_of(polyhedron, neighborhood), 5);
+      const Polyhedron_with_ids with_ids = build_mesh<Polyhedron_with_ids>(surface);
+      check_same(expected, samples_of(with_ids, neighborhood), 5);
+#ifdef CGAL_USE_OPENMESH
+      struct Traits : OpenMesh::DefaultTraits
+      {
+        using Point = OpenMesh::Vec3d;
+        using Normal = OpenMesh::Vec3d;
+      };
+      using Open_mesh = OpenMesh::PolyMesh_ArrayKernelT<Traits>;
+      const Open_mesh open_mesh = build_openmesh<Open_mesh>(surface);
+      check_same(expected, samples_of(open_mesh, neighborhood), 5);
+#endif
+    }
+}
+
+// Vertices and faces that were removed, but not yet collected as garbage.
+BOOST_AUTO_TEST_CASE(removed_elements)
+{
+  Polygon_arrays a = arrays(waves(.1, 4., 1., 6, .15));
+  const Mesh clean = build_mesh<Mesh>(a);
+  test_support::internal::append(a, tetrahedron(), {5., 0., 0.});
+  Mesh mesh = build_mesh<Mesh>(a);
+  const std::size_t n = clean.number_of_vertices();
+  CGAL::Euler::remove_center_vertex(mesh.halfedge(Mesh::Vertex_index(unsigned(n))), mesh);
+  while(mesh.number_of_faces() > clean.number_of_faces())
+    for(const auto f : faces(mesh))
+      if(std::size_t(target(halfedge(f, mesh), mesh)) >= n)
+      {
+        CGAL::Euler::remove_face(halfedge(f, mesh), mesh);
+        break;
+      }
+  BOOST_TEST(mesh.has_garbage());
+  check_same(samples_of(clean, Neighborhood::rings(2)), samples_of(mesh, Neighborhood::rings(2)), 5);
+}
+
+// What the samples say doesn't depend on the order of vertices and faces, nor on where faces start.
+BOOST_AUTO_TEST_CASE(order_is_canonical)
+{
+  Random random(3);
+  for(const Polygon_arrays& a :
+      {arrays(plane(1., 8)), arrays(sphere(1., 2)), arrays(waves(.1, 4., 1., 8, .15))})
+  {
+    std::vector<std::size_t> place(a.points.size());
+    std::iota(place.begin(), place.end(), std::size_t(0));
+    for(std::size_t i = place.size(); i > 1; --i)
+      std::swap(place[i - 1], place[std::size_t(random.uniform() * double(i))]);
+    Polygon_arrays b = a;
+    for(std::size_t i = 0; i < place.size(); ++i)
+      b.points[place[i]] = a.points[i];
+    for(auto& f : b.faces)
+    {
+      for(std::size_t& i : f)
+        i = place[i];
+      std::rotate(f.begin(), f.begin() + 1 + std::ptrdiff_t(2. * random.uniform()), f.end());
+    }
+    std::reverse(b.faces.begin(), b.faces.end());
+
+    const Mesh mesh_a = build_mesh<Mesh>(a), mesh_b = build_mesh<Mesh>(b);
+    for(const Neighborhood& neighborhood : {Neighborhood::rings(2), Neighborhood::ball(.5)})
+    {
+      const Face_graph_samples of_a = samples_of(mesh_a, neighborhood),
+                               of_b = samples_of(mesh_b, neighborhood);
+      BOOST_TEST(of_a.mean_spacing() == of_b.mean_spacing());
+      Face_graph_samples::Workspace workspace_a, workspace_b;
+      for(std::size_t i = 0; i < place.size(); ++i)
+      {
+        BOOST_TEST(of_a.spacing(i) == of_b.spacing(place[i]));
+        Indices expected = of_a.neighbors(i, 5, workspace_a);
+        for(auto& j : expected)
+          j = Face_graph_samples::Index(place[j]);
+        BOOST_TEST((expected == of_b.neighbors(place[i], 5, workspace_b)));
+        const auto [begin_a, end_a] = of_a.incident_faces(i);
+        const auto [begin_b, end_b] = of_b.incident_faces(place[i]);
+        BOOST_REQUIRE(end_a - begin_a == end_b - begin_b);
+        for(const auto *f = begin_a, *g = begin_b; f != end_a; ++f, ++g)
+          for(std::size_t k = 0; k < 3; ++k)
+            BOOST_TEST(place[of_a.vertex(*f, k)] == of_b.vertex(*g, k));
+      }
+    }
+  }
+}
+
+// The patch of a vertex is the whole mesh, as far as one sees from it.
+template <typename FaceGraph>
+void check_patches(const Polygon_arrays& a, const Neighborhood& neighborhood, unsigned reach)
+{
+  const FaceGraph mesh = build_mesh<FaceGraph>(a);
+  const auto vpm = get(CGAL::vertex_point, mesh);
+  using vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  const std::vector<vertex_descriptor> all_vertices(vertices(mesh).begin(), vertices(mesh).end());
+  Face_graph_samples whole(mesh, vpm, neighborhood);
+  whole.set_normals(SC::vertex_normals<CGAL::Sequential_tag>(whole), S::DEGENERATE);
+  Face_graph_samples::Workspace workspace, workspace_of_patch;
+  for(std::size_t v = 0; v < all_vertices.size(); ++v)
+    BOOST_TEST_CONTEXT(a.name << ", vertex " << v << ", reach " << reach)
+    {
+      std::vector<vertex_descriptor> copied;
+      Face_graph_samples patch(all_vertices[v], mesh, vpm, neighborhood, reach, copied);
+      patch.set_normals(SC::vertex_normals<CGAL::Sequential_tag>(patch), S::DEGENERATE);
+      BOOST_REQUIRE(patch.size() == copied.size());
+      std::vector<std::size_t> index; // in the whole mesh
+      for(const vertex_descriptor w : copied)
+        index.push_back(
+            std::size_t(std::find(all_vertices.begin(), all_vertices.end(), w) - all_vertices.begin()));
+      BOOST_REQUIRE(index[0] == v);
+
+      // those that are reached in less than `reach` steps from neighbors to neighbors
+      std::set<std::size_t> inner = {0};
+      for(unsigned step = 1; step < reach; ++step)
+        for(const std::size_t i : std::set<std::size_t>(inner))
+          for(const auto j : patch.neighbors(i, 5, workspace_of_patch))
+            inner.insert(j);
+      for(const std::size_t i : inner)
+      {
+        BOOST_TEST((patch.status(i) == whole.status(index[i])));
+        BOOST_TEST((patch.point(i) == whole.point(index[i])));
+        BOOST_TEST((patch.normal(i) == whole.normal(index[i])));
+        BOOST_TEST(patch.spacing(i) == whole.spacing(index[i]));
+        Indices neighbors = patch.neighbors(i, 5, workspace_of_patch);
+        for(auto& j : neighbors)
+        {
+          BOOST_TEST((patch.normal(j) == whole.normal(index[j])));
+          j = Face_graph_samples::Index(index[j]);
+        }
+        BOOST_TEST((neighbors == whole.neighbors(index[i], 5, workspace)));
+
+        const auto [begin, end] = patch.incident_faces(i);
+        const auto [whole_begin, whole_end] = whole.incident_faces(index[i]);
+        BOOST_REQUIRE(end - begin == whole_end - whole_begin);
+        for(const auto *f = begin, *g = whole_begin; f != end; ++f, ++g)
+        {
+          BOOST_REQUIRE(patch.degree(*f) == whole.degree(*g));
+          for(std::size_t k = 0; k < patch.degree(*f); ++k)
+            BOOST_TEST(index[patch.vertex(*f, k)] == whole.vertex(*g, k));
+        }
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(patches)
+{
+  for(const Polygon_arrays& a : {arrays(waves(.1, 4., 1., 8, .15)), cube_of_quads(), prism_of_polygons(),
+                                 isolated_vertices(), border_ear(), thin_strip(30)})
+  {
+    check_patches<Mesh>(a, Neighborhood::rings(1), 1);
+    check_patches<Mesh>(a, Neighborhood::rings(2), 1);
+    check_patches<Mesh>(a, Neighborhood::ball(.4), 1);
+  }
+  const Polygon_arrays grid = arrays(plane(1., 16, .1));
+  check_patches<Mesh>(grid, Neighborhood::rings(1), 2);
+  check_patches<Mesh>(grid, Neighborhood::ball(.3), 3);
+  check_patches<Polyhedron>(arrays(waves(.1, 4., 1., 8, .15)), Neighborhood::rings(2), 1);
+}
+
+BOOST_AUTO_TEST_CASE(statuses)
+{
+  Polygon_arrays a = isolated_vertices(2);
+  test_support::internal::append(a, arrays(plane(1., 4)), {4., 0., 0.});
+  const std::size_t first = a.points.size() - 25, bad = first + 12;
+  a.points[bad] = {4., std::numeric_limits<double>::infinity(), 0.};
+  const Mesh mesh = build_mesh<Mesh>(a);
+  Face_graph_samples samples = samples_of(mesh, Neighborhood::rings(2));
+  for(std::size_t i = 0; i < a.points.size(); ++i)
+  {
+    const std::size_t row = (i - first) / 5, column = (i - first) % 5;
+    const S expected = i < 162                           ? S::ESTIMATED
+                       : i < 164                         ? S::UNREFERENCED
+                       : i == bad                        ? S::NON_FINITE_INPUT
+                       : row % 4 == 0 || column % 4 == 0 ? S::BORDER
+                                                         : S::ESTIMATED;
+    BOOST_TEST((samples.status(i) == expected), "vertex " << i);
+    BOOST_TEST(samples.is_usable(i) == SC::is_estimated(expected));
+  }
+  // an edge with an infinite end has no length
+  BOOST_TEST(std::isfinite(samples.mean_spacing()));
+  BOOST_TEST(std::isfinite(samples.spacing(bad - 1)));
+  BOOST_TEST(samples.spacing(162) == 0.);
+
+  Face_graph_samples::Workspace workspace;
+  const auto has = [&](const std::size_t i, const std::size_t j)
+  {
+    const Indices& n = samples.neighbors(i, 0, workspace);
+    return std::find(n.begin(), n.end(), j) != n.end();
+  };
+  BOOST_TEST(!has(bad - 1, bad));
+  BOOST_TEST(has(bad - 1, bad + 1)); // the way through it is a way
+  BOOST_TEST(samples.neighbors(162, 5, workspace).empty());
+
+  // normals of any length; those that are no directions make samples unusable
+  std::vector<Eigen::Vector3d> normals(samples.size(), Eigen::Vector3d(0., 3e-200, 4e-200));
+  normals[5].setZero();
+  normals[6].setConstant(std::numeric_limits<double>::quiet_NaN());
+  normals[7] = Eigen::Vector3d(1e300, 0., 1e300);
+  BOOST_TEST(!samples.has_normals());
+  samples.set_normals(normals, S::DEGENERATE);
+  BOOST_TEST(samples.has_normals());
+  BOOST_TEST((samples.normal(0) - Eigen::Vector3d(0., .6, .8)).norm() < 1e-15);
+  BOOST_TEST((samples.normal(7) - Eigen::Vector3d(1., 0., 1.) / std::sqrt(2.)).norm() < 1e-15);
+  BOOST_TEST((samples.status(5) == S::DEGENERATE && samples.status(6) == S::DEGENERATE));
+  BOOST_TEST((samples.status(162) == S::UNREFERENCED && samples.status(bad) == S::NON_FINITE_INPUT));
+}
+
+BOOST_AUTO_TEST_CASE(neighborhoods_without_meaning)
+{
+  const double nan_value = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(Neighborhood::rings(0), std::invalid_argument);
+  BOOST_CHECK_THROW(Neighborhood::nearest(0), std::invalid_argument);
+  for(const double radius : {0., -1., nan_value, std::numeric_limits<double>::infinity()})
+    BOOST_CHECK_THROW(Neighborhood::ball(radius), std::invalid_argument);
+  BOOST_CHECK_THROW(samples_of(build_mesh<Mesh>(tetrahedron()), Neighborhood::nearest(5)),
+                    std::invalid_argument);
+
+  namespace sp = SC::parameters;
+  BOOST_TEST(SC::internal::mesh_neighborhood(sp::default_values()).count() == 2u);
+  BOOST_TEST(SC::internal::mesh_neighborhood(sp::number_of_rings(3)).count() == 3u);
+  BOOST_TEST(SC::internal::mesh_neighborhood(sp::neighbor_radius(.5)).radius() == .5);
+  BOOST_TEST(SC::internal::point_set_neighborhood(sp::default_values()).count() == 18u);
+  BOOST_TEST(SC::internal::point_set_neighborhood(sp::number_of_neighbors(7)).count() == 7u);
+  for(const int rings : {0, -1, 1000000000})
+    BOOST_CHECK_THROW(SC::internal::mesh_neighborhood(sp::number_of_rings(rings)), std::invalid_argument);
+  for(const int k : {0, -1})
+    BOOST_CHECK_THROW(SC::internal::point_set_neighborhood(sp::number_of_neighbors(k)),
+                      std::invalid_argument);
+  BOOST_CHECK_THROW(SC::internal::mesh_neighborhood(sp::neighbor_radius(nan_value)), std::invalid_argument);
+}

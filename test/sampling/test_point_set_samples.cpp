@@ -1,0 +1,268 @@
+#define BOOST_TEST_MODULE point_set_samples
+#include <boost/test/unit_test.hpp>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <Shape_characteristics/sampling/Point_set_samples.h>
+
+#include "analytic_surfaces.h"
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+namespace SC = Shape_characteristics;
+using test_support::Random;
+using S = SC::Estimation_status;
+using SC::Neighborhood;
+using SC::Point_set_samples;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point_3 = Kernel::Point_3;
+using Indices = std::vector<Point_set_samples::Index>;
+
+namespace {
+
+Point_set_samples samples_of(const std::vector<Point_3>& points, const Neighborhood& neighborhood)
+{
+  return Point_set_samples(points, CGAL::Identity_property_map<Point_3>(), neighborhood);
+}
+
+std::vector<Point_3> random_points(std::size_t n, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<Point_3> points;
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double x = random.uniform(), y = random.uniform();
+    points.emplace_back(x, y, random.uniform());
+  }
+  return points;
+}
+
+// where many points are equally far from each other
+std::vector<Point_3> grid(int n)
+{
+  std::vector<Point_3> points;
+  for(int i = 0; i < n; ++i)
+    for(int j = 0; j < n; ++j)
+      for(int k = 0; k < 3; ++k)
+        points.emplace_back(i, j, k);
+  return points;
+}
+
+// all other finite points elsewhere, nearest first, equally far ones in lexicographic order
+Indices plain_order(const std::vector<Point_3>& points, std::size_t i)
+{
+  const auto is_finite = [](const Point_3& p)
+  { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); };
+  Indices others;
+  if(is_finite(points[i]))
+    for(std::size_t j = 0; j < points.size(); ++j)
+      if(is_finite(points[j]) && points[j] != points[i])
+        others.push_back(Point_set_samples::Index(j));
+  const auto key = [&](const std::size_t j)
+  {
+    return std::make_tuple(CGAL::squared_distance(points[i], points[j]), points[j].x(), points[j].y(),
+                           points[j].z());
+  };
+  std::sort(others.begin(), others.end(),
+            [&](const std::size_t a, const std::size_t b) { return key(a) < key(b); });
+  return others;
+}
+
+std::vector<Point_3> coordinates(const std::vector<Point_3>& points, const Indices& indices)
+{
+  std::vector<Point_3> result;
+  for(const auto i : indices)
+    result.push_back(points[i]);
+  return result;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(nearest)
+{
+  for(const std::vector<Point_3>& points : {random_points(300, 1), grid(8), random_points(10, 2)})
+    for(const std::size_t k : {1u, 6u, 18u, 1000u})
+    {
+      const Point_set_samples samples = samples_of(points, Neighborhood::nearest(k));
+      BOOST_REQUIRE(samples.size() == points.size());
+      Point_set_samples::Workspace workspace;
+      for(std::size_t i = 0; i < points.size(); ++i)
+      {
+        Indices expected = plain_order(points, i);
+        expected.resize(std::min(k, expected.size()));
+        BOOST_TEST((samples.neighbors(i, 0, workspace) == expected),
+                   points.size() << " points, k " << k << ", point " << i);
+      }
+    }
+}
+
+BOOST_AUTO_TEST_CASE(ball)
+{
+  for(const std::vector<Point_3>& points : {random_points(300, 3), grid(8)})
+    for(const double radius : {1e-9, .2, 1., 2., 100.})
+    {
+      const Point_set_samples samples = samples_of(points, Neighborhood::ball(radius));
+      Point_set_samples::Workspace workspace;
+      for(std::size_t i = 0; i < points.size(); ++i)
+      {
+        Indices expected = plain_order(points, i);
+        expected.erase(std::remove_if(expected.begin(), expected.end(),
+                                      [&](const std::size_t j) {
+                                        return CGAL::squared_distance(points[i], points[j]) > radius * radius;
+                                      }),
+                       expected.end());
+        BOOST_TEST((samples.neighbors(i, 0, workspace) == expected), "radius " << radius << ", point " << i);
+      }
+    }
+}
+
+// the same neighbors, whatever the order of the points
+BOOST_AUTO_TEST_CASE(order_is_canonical)
+{
+  const std::vector<Point_3> points = grid(7);
+  std::vector<std::size_t> place(points.size());
+  std::iota(place.begin(), place.end(), std::size_t(0));
+  Random random(4);
+  for(std::size_t i = place.size(); i > 1; --i)
+    std::swap(place[i - 1], place[std::size_t(random.uniform() * double(i))]);
+  std::vector<Point_3> shuffled(points.size());
+  for(std::size_t i = 0; i < place.size(); ++i)
+    shuffled[place[i]] = points[i];
+  for(const Neighborhood& neighborhood : {Neighborhood::nearest(10), Neighborhood::ball(1.5)})
+  {
+    const Point_set_samples a = samples_of(points, neighborhood), b = samples_of(shuffled, neighborhood);
+    Point_set_samples::Workspace of_a, of_b;
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      BOOST_TEST((coordinates(points, a.neighbors(i, 0, of_a)) ==
+                  coordinates(shuffled, b.neighbors(place[i], 0, of_b))));
+      BOOST_TEST(a.spacing(i) == b.spacing(place[i]));
+    }
+    BOOST_TEST(a.mean_spacing() == b.mean_spacing());
+  }
+}
+
+// Copies of a point are no neighbors of each other, and don't take the room of others.
+BOOST_AUTO_TEST_CASE(coincident_points)
+{
+  std::vector<Point_3> points = random_points(100, 5);
+  const std::size_t copies = 40;
+  points.insert(points.end(), copies, points[7]);
+  const Point_set_samples samples = samples_of(points, Neighborhood::nearest(12));
+  Point_set_samples::Workspace workspace;
+  for(const std::size_t i : {std::size_t(7), points.size() - 1})
+  {
+    Indices expected = plain_order(points, i);
+    expected.resize(12);
+    BOOST_TEST((samples.neighbors(i, 0, workspace) == expected));
+    BOOST_TEST(samples.has_coincident_points(i));
+    BOOST_TEST(samples.spacing(i) > 0.);
+  }
+  BOOST_TEST(!samples.has_coincident_points(8));
+
+  // nothing but copies, in numbers that a kd-tree can't divide
+  const Point_set_samples same =
+      samples_of(std::vector<Point_3>(5000, Point_3(1., 2., 3.)), Neighborhood::nearest(5));
+  BOOST_TEST(same.neighbors(0, 0, workspace).empty());
+  BOOST_TEST(same.has_coincident_points(4999));
+  BOOST_TEST(same.spacing(17) == 0.);
+  BOOST_TEST(same.mean_spacing() == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(not_finite)
+{
+  const double nan_value = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  std::vector<Point_3> points = random_points(60, 6);
+  points[10] = Point_3(nan_value, 0., 0.);
+  points[20] = Point_3(0., infinity, .5);
+  points[30] = Point_3(-infinity, nan_value, 0.);
+  for(const Neighborhood& neighborhood : {Neighborhood::nearest(8), Neighborhood::ball(.4)})
+  {
+    const Point_set_samples samples = samples_of(points, neighborhood);
+    Point_set_samples::Workspace workspace;
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      const bool is_bad = i == 10 || i == 20 || i == 30;
+      BOOST_TEST((samples.status(i) == (is_bad ? S::NON_FINITE_INPUT : S::ESTIMATED)));
+      Indices expected = plain_order(points, i);
+      if(neighborhood.kind() == Neighborhood::Kind::NEAREST)
+        expected.resize(std::min<std::size_t>(8, expected.size()));
+      else
+        expected.erase(std::remove_if(expected.begin(), expected.end(),
+                                      [&](const std::size_t j)
+                                      { return CGAL::squared_distance(points[i], points[j]) > .4 * .4; }),
+                       expected.end());
+      BOOST_TEST((samples.neighbors(i, 0, workspace) == expected), "point " << i);
+      BOOST_TEST(!samples.has_coincident_points(i));
+      BOOST_TEST((samples.spacing(i) > 0.) == !is_bad);
+    }
+    BOOST_TEST(std::isfinite(samples.mean_spacing()));
+  }
+
+  // no finite point, no point
+  for(const std::vector<Point_3>& none : {std::vector<Point_3>(5, points[10]), std::vector<Point_3>()})
+  {
+    const Point_set_samples samples = samples_of(none, Neighborhood::nearest(8));
+    Point_set_samples::Workspace workspace;
+    for(std::size_t i = 0; i < none.size(); ++i)
+      BOOST_TEST(samples.neighbors(i, 0, workspace).empty());
+    BOOST_TEST(samples.mean_spacing() == 0.);
+  }
+}
+
+// Points whose normals are no directions are nobody's neighbors.
+BOOST_AUTO_TEST_CASE(normals)
+{
+  const std::vector<Point_3> points = random_points(40, 8);
+  Point_set_samples samples = samples_of(points, Neighborhood::nearest(39));
+  std::vector<Eigen::Vector3d> normals(points.size(), Eigen::Vector3d(0., 3e200, 4e200));
+  normals[5].setZero();
+  normals[6] = Eigen::Vector3d(0., 0., std::numeric_limits<double>::infinity());
+  BOOST_TEST(!samples.has_normals());
+  samples.set_normals(normals);
+  BOOST_TEST(samples.has_normals());
+  BOOST_TEST((samples.normal(0) - Eigen::Vector3d(0., .6, .8)).norm() < 1e-15);
+  Point_set_samples::Workspace workspace;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const bool is_bad = i == 5 || i == 6;
+    BOOST_TEST((samples.status(i) == (is_bad ? S::NON_FINITE_INPUT : S::ESTIMATED)));
+    Indices expected = plain_order(points, i);
+    expected.erase(
+        std::remove_if(expected.begin(), expected.end(), [](const auto j) { return j == 5 || j == 6; }),
+        expected.end());
+    BOOST_TEST((samples.neighbors(i, 0, workspace) == expected));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(spacing)
+{
+  const std::vector<Point_3> points = random_points(80, 9);
+  const Point_set_samples samples = samples_of(points, Neighborhood::nearest(3));
+  double sum_of_all = 0.;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const Indices order = plain_order(points, i);
+    double sum = 0.;
+    for(std::size_t k = 0; k < 6; ++k)
+      sum += std::sqrt(CGAL::squared_distance(points[i], points[order[k]]));
+    BOOST_TEST(std::abs(samples.spacing(i) - sum / 6.) < 1e-14);
+    sum_of_all += sum / 6.;
+  }
+  BOOST_TEST(std::abs(samples.mean_spacing() - sum_of_all / double(points.size())) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(rings_need_a_mesh)
+{
+  BOOST_CHECK_THROW(samples_of(random_points(5, 1), Neighborhood::rings(1)), std::invalid_argument);
+}
