@@ -1,0 +1,350 @@
+#define BOOST_TEST_MODULE hrbf_meshes
+#include <boost/test/unit_test.hpp>
+
+#include "hrbf_estimator.h"
+
+#include <Shape_characteristics/interpolation/Polyharmonic.h>
+
+#include <boost/property_map/function_property_map.hpp>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace SC = Shape_characteristics;
+using namespace estimator_checks;
+using Point_3 = Kernel::Point_3;
+using Vector_3 = Kernel::Vector_3;
+
+namespace {
+
+// With given normals `exact` is set or not; without, they are estimated. The level of noise is given where results are
+// compared that see different surroundings.
+const Hrbf by_default{[](const auto& np) { return np.number_of_rings(2u); }};
+const Hrbf exact{[](const auto& np) { return np.normals_are_exact(true); }};
+const Hrbf in_ball{[](const auto& np) { return np.normals_are_exact(true).neighbor_radius(.5); }};
+const Hrbf with_level{[](const auto& np) { return np.noise_level(1e-3).number_of_passes(2u); }};
+const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyharmonic<3>()); }};
+
+const Hrbf cubic_exact{[](const auto& np)
+                       { return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<3>()); }};
+
+// a point set by number, as CGAL::Point_set_3 is one
+struct Cloud
+{
+  std::vector<std::size_t> indices;
+  std::vector<Point_3> points;
+  std::vector<Vector_3> normals;
+  std::vector<Curvatures> curvatures;
+  std::vector<double> mean, Gaussian;
+  std::vector<SC::Estimation_status> status;
+
+  Cloud(const Analytic_surface& s, const std::vector<Vector_3>& n) : indices(s.points.size()), normals(n)
+  {
+    std::iota(indices.begin(), indices.end(), std::size_t(0));
+    for(const auto& p : s.points)
+      points.emplace_back(p[0], p[1], p[2]);
+    curvatures.resize(points.size());
+    mean.resize(points.size());
+    Gaussian.resize(points.size());
+    status.resize(points.size(), SC::Estimation_status::CANCELLED);
+  }
+
+  auto parameters()
+  {
+    return SC::parameters::point_map(CGAL::make_property_map(points))
+        .normal_map(CGAL::make_property_map(normals))
+        .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
+        .mean_curvature_map(CGAL::make_property_map(mean))
+        .Gaussian_curvature_map(CGAL::make_property_map(Gaussian))
+        .status_map(CGAL::make_property_map(status));
+  }
+
+  template <typename NamedParameters>
+  Result run(const NamedParameters& np)
+  {
+    Result result;
+    result.failures = SC::hrbf_curvatures<CGAL::Sequential_tag>(indices, np);
+    result.curvatures = curvatures;
+    result.mean = mean;
+    result.Gaussian = Gaussian;
+    result.status = status;
+    return result;
+  }
+};
+
+std::vector<Vector_3> exact_normals(const Analytic_surface& s)
+{
+  std::vector<Vector_3> normals;
+  for(const Exact_vertex& e : s.exact)
+    normals.emplace_back(e.normal[0], e.normal[1], e.normal[2]);
+  return normals;
+}
+
+} // namespace
+
+// The systems are nearly singular (that is why they are accurate): rounding errors of the coordinates come out larger by up to
+// the inverse of what is added to their diagonals. Factors that are powers of two have no rounding errors, see below.
+BOOST_AUTO_TEST_CASE(motion_and_scale)
+{
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(1.1, Eigen::Vector3d(1., 2., -1.5).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
+  const auto check = [&](const char* name, const auto& estimator, Normals normals, double tolerance)
+  {
+    double largest = 0.;
+    for(const Analytic_surface& s : typical_surfaces())
+    {
+      const Result original = run(estimator, s, normals);
+      const auto compare = [&](double scale, const Eigen::Matrix3d& r, const Eigen::Vector3d& shift)
+      {
+        const double d =
+            difference(s, original, run(estimator, transformed(s, scale, r, shift), normals), scale, r);
+        if(!(d <= largest) && !std::isnan(largest))
+          largest = d;
+      };
+      compare(1., rotation, {3., -5., 2.});
+      for(const double scale : {1e-6, 1e6, 1e-100, 1e100})
+        compare(scale, identity, Eigen::Vector3d::Zero());
+    }
+    BOOST_TEST_MESSAGE(name << ": moved, turned or scaled, the curvatures differ by " << largest);
+    BOOST_TEST(largest < tolerance, name);
+  };
+  check("exact", exact, Normals::EXACT, 2e-6);
+  check("default, given normals", by_default, Normals::EXACT, 2e-6);
+  check("default", by_default, Normals::ESTIMATED, 2e-6);
+  check("noise level 0.001", with_level, Normals::ESTIMATED, 1e-7);
+  check("r^3, exact", cubic_exact, Normals::EXACT, 1e-9);
+}
+
+// to the last bit
+BOOST_AUTO_TEST_CASE(powers_of_two)
+{
+  const auto check = [](const auto& estimator, Normals normals)
+  {
+    for(const Analytic_surface& s : typical_surfaces())
+    {
+      const Result original = run(estimator, s, normals);
+      for(const double scale : {std::ldexp(1., -100), .5, std::ldexp(1., 100)})
+      {
+        Result scaled = run(
+            estimator, transformed(s, scale, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()), normals);
+        for(std::size_t i = 0; i < s.points.size(); ++i)
+        {
+          scaled.curvatures[i].min_curvature *= scale;
+          scaled.curvatures[i].max_curvature *= scale;
+          scaled.mean[i] *= scale;
+          scaled.Gaussian[i] *= scale * scale;
+        }
+        BOOST_TEST(same_bits(original, scaled), s.name << ", scale " << scale);
+      }
+    }
+  };
+  check(exact, Normals::EXACT);
+  check(by_default, Normals::ESTIMATED);
+  check(cubic, Normals::ESTIMATED);
+}
+
+BOOST_AUTO_TEST_CASE(flip)
+{
+  check_flip(exact);
+  check_flip(by_default);
+  check_flip(cubic);
+}
+
+BOOST_AUTO_TEST_CASE(permutation)
+{
+  check_permutation(exact);
+  check_permutation(with_level);
+}
+
+BOOST_AUTO_TEST_CASE(mesh_types)
+{
+  check_mesh_types(exact);
+  check_mesh_types(by_default);
+}
+
+BOOST_AUTO_TEST_CASE(one_vertex)
+{
+  check_one_vertex(exact);
+  check_one_vertex(in_ball);
+  check_one_vertex(with_level);
+}
+
+BOOST_AUTO_TEST_CASE(callback)
+{
+  check_callback(exact);
+}
+
+// where the ball of the points is that of the mesh
+BOOST_AUTO_TEST_CASE(point_set_equals_mesh)
+{
+  const Analytic_surface s = test_support::ellipsoid(1., .8, .6, 3, .2, 5);
+  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  Cloud cloud(s, exact_normals(s));
+  const double radius = 2.2 * s.mean_edge_length();
+
+  const Hrbf ball{[&](const auto& np) { return np.normals_are_exact(true).neighbor_radius(radius); }};
+  BOOST_TEST(same_bits(run(ball, mesh, s, Normals::EXACT),
+                       cloud.run(cloud.parameters().normals_are_exact(true).neighbor_radius(radius))));
+  const Hrbf inexact{[&](const auto& np) { return np.neighbor_radius(radius); }};
+  BOOST_TEST(same_bits(run(inexact, mesh, s, Normals::EXACT),
+                       cloud.run(cloud.parameters().neighbor_radius(radius))));
+}
+
+BOOST_AUTO_TEST_CASE(point_sets_are_accurate)
+{
+  for(const Analytic_surface& s :
+      {test_support::sphere(2., 3, .2, 5), test_support::torus(1., .4, 48, 24, .2, 5)})
+  {
+    Cloud cloud(s, exact_normals(s));
+    const auto check = [&](const char* name, const Result& result, double bound)
+    {
+      check_consistency(result);
+      const Errors e = errors(s, result, 0.);
+      BOOST_TEST_MESSAGE(s.name << ", " << name << ": largest error " << e.largest);
+      BOOST_TEST(e.largest < bound);
+    };
+    const auto np = cloud.parameters();
+    check("18 neighbors, exact", cloud.run(np.normals_are_exact(true)), 3e-4);
+    check("12 neighbors, exact", cloud.run(np.normals_are_exact(true).number_of_neighbors(12u)), 2e-3);
+    check("ball, exact", cloud.run(np.normals_are_exact(true).neighbor_radius(2.2 * s.mean_edge_length())),
+          3e-4);
+    check("18 neighbors", cloud.run(np), .015);
+    check("r^3, exact", cloud.run(np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<3>())),
+          .1);
+  }
+}
+
+namespace {
+
+// what CGAL 6 has under the name of Principal_curvatures_and_directions
+struct Other_curvatures
+{
+  double min_curvature = 0., max_curvature = 0.;
+  Vector_3 min_direction = CGAL::NULL_VECTOR, max_direction = CGAL::NULL_VECTOR;
+
+  Other_curvatures() = default;
+  Other_curvatures(double min, double max, const Vector_3& min_direction, const Vector_3& max_direction)
+    : min_curvature(min),
+      max_curvature(max),
+      min_direction(min_direction),
+      max_direction(max_direction)
+  {}
+};
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(outputs)
+{
+  const Analytic_surface s = test_support::monkey_saddle(.5, 8, .2, 7);
+  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  const Result expected = run(by_default, mesh, s, Normals::ESTIMATED);
+
+  // each by itself, of types of their own
+  std::vector<Other_curvatures> curvatures(num_vertices(mesh));
+  const auto index = boost::make_function_property_map<Surface_mesh::Vertex_index>(
+      [](const Surface_mesh::Vertex_index v) { return std::size_t(v); });
+  SC::hrbf_curvatures(mesh, SC::parameters::vertex_principal_curvatures_and_directions_map(
+                                boost::make_iterator_property_map(curvatures.begin(), index)));
+  std::vector<float> mean(num_vertices(mesh)), Gaussian(num_vertices(mesh));
+  SC::hrbf_curvatures(mesh, SC::parameters::vertex_mean_curvature_map(
+                                boost::make_iterator_property_map(mean.begin(), index)));
+  SC::hrbf_curvatures(mesh, SC::parameters::vertex_Gaussian_curvature_map(
+                                boost::make_iterator_property_map(Gaussian.begin(), index)));
+  BOOST_TEST(SC::hrbf_curvatures(mesh) == 0u);
+  for(std::size_t i = 0; i < curvatures.size(); ++i)
+  {
+    BOOST_TEST(curvatures[i].min_curvature == expected.curvatures[i].min_curvature);
+    BOOST_TEST(curvatures[i].max_curvature == expected.curvatures[i].max_curvature);
+    BOOST_TEST(curvatures[i].min_direction == expected.curvatures[i].min_direction);
+    BOOST_TEST(curvatures[i].max_direction == expected.curvatures[i].max_direction);
+    BOOST_TEST(mean[i] == float(expected.mean[i]));
+    BOOST_TEST(Gaussian[i] == float(expected.Gaussian[i]));
+  }
+  // border is said to be border
+  for(const auto v : vertices(mesh))
+    BOOST_TEST((expected.status[v.idx()] ==
+                (mesh.is_border(v) ? SC::Estimation_status::BORDER : SC::Estimation_status::ESTIMATED)));
+  // a vertex into another type
+  Other_curvatures other;
+  const auto v = *vertices(mesh).begin();
+  Curvatures ours;
+  BOOST_TEST((SC::hrbf_curvatures(
+                  v, mesh, SC::parameters::vertex_principal_curvatures_and_directions(std::ref(other))) ==
+              SC::Estimation_status::BORDER));
+  SC::hrbf_curvatures(v, mesh, SC::parameters::vertex_principal_curvatures_and_directions(std::ref(ours)));
+  BOOST_TEST(other.max_curvature == ours.max_curvature);
+  BOOST_TEST(other.min_direction == ours.min_direction);
+}
+
+// a cancelled computation has no values
+BOOST_AUTO_TEST_CASE(cancelled)
+{
+  const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 6);
+  for(const int stop : {0, 3, 12}) // 9 blocks a pass: within the first pass, within the second
+  {
+    int calls = 0;
+    const Hrbf stopped{[&](const auto& np) {
+      return np.noise_level(1e-3).number_of_passes(2u).callback([&](double) { return calls++ < stop; });
+    }};
+    const Result result = run(stopped, s, Normals::ESTIMATED);
+    check_consistency(result);
+    BOOST_TEST(calls == stop + 1);
+    std::size_t cancelled = 0;
+    for(const auto status : result.status)
+      cancelled += status == SC::Estimation_status::CANCELLED;
+    BOOST_TEST(cancelled == result.failures);
+    const std::size_t done = stop < 9 ? 0u : std::size_t(stop + 1 - 9) * 128u;
+    BOOST_TEST(cancelled == s.points.size() - done);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
+{
+  const Analytic_surface s = test_support::sphere(1., 1);
+  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  const double quiet_nan = std::numeric_limits<double>::quiet_NaN();
+  const auto names = [](const char* parameter)
+  {
+    return [parameter](const std::invalid_argument& e)
+    { return std::string(e.what()).find(parameter) != std::string::npos; };
+  };
+  const auto vertex = *vertices(mesh).begin();
+  using namespace SC::parameters;
+  BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, radial_basis_function(SC::Polyharmonic<4>())),
+                        std::invalid_argument, names("radial_basis_function"));
+  BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(vertex, mesh, radial_basis_function(SC::Polyharmonic<4>())),
+                        std::invalid_argument, names("radial_basis_function"));
+  for(const int rings : {0, -1})
+  {
+    BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, number_of_rings(rings)), std::invalid_argument,
+                          names("number_of_rings"));
+    BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(vertex, mesh, number_of_rings(rings)), std::invalid_argument,
+                          names("number_of_rings"));
+  }
+  for(const double radius : {0., -1., quiet_nan, std::numeric_limits<double>::infinity()})
+    BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, neighbor_radius(radius)), std::invalid_argument,
+                          names("neighbor_radius"));
+  for(const double level : {-1., quiet_nan, std::numeric_limits<double>::infinity()})
+    BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, noise_level(level)), std::invalid_argument,
+                          names("noise_level"));
+  for(const double distance : {0., -1., 2., quiet_nan})
+    BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, sampling_distance(distance)), std::invalid_argument,
+                          names("sampling_distance"));
+
+  std::vector<Point_3> points;
+  for(const auto& p : s.points)
+    points.emplace_back(p[0], p[1], p[2]);
+  BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(points), std::invalid_argument, names("normal_map"));
+  Cloud cloud(s, exact_normals(s));
+  BOOST_CHECK_EXCEPTION(cloud.run(cloud.parameters().number_of_neighbors(0)), std::invalid_argument,
+                        names("number_of_neighbors"));
+  BOOST_CHECK_EXCEPTION(cloud.run(cloud.parameters().neighbor_radius(quiet_nan)), std::invalid_argument,
+                        names("neighbor_radius"));
+}
