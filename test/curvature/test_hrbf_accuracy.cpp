@@ -1,0 +1,270 @@
+#define BOOST_TEST_MODULE hrbf_accuracy
+#include <boost/test/unit_test.hpp>
+
+#include "hrbf_estimator.h"
+
+#include <Shape_characteristics/interpolation/Polyharmonic.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace SC = Shape_characteristics;
+using namespace estimator_checks;
+
+namespace {
+
+const Hrbf by_default{[](const auto& np) { return np.number_of_rings(2u); }};
+const Hrbf three_rings{[](const auto& np) { return np.number_of_rings(3u); }};
+const Hrbf exact{[](const auto& np) { return np.normals_are_exact(true); }};
+const Hrbf exact_one_ring{[](const auto& np) { return np.normals_are_exact(true).number_of_rings(1u); }};
+const Hrbf exact_three_rings{[](const auto& np) { return np.normals_are_exact(true).number_of_rings(3u); }};
+const Hrbf cubic_exact{[](const auto& np)
+                       { return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<3>()); }};
+const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyharmonic<3>()); }};
+const Hrbf quintic_exact{[](const auto& np)
+                         { return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<5>()); }};
+const Hrbf exponential_exact{
+    [](const auto& np) { return np.normals_are_exact(true).radial_basis_function(SC::Exponential_cubic()); }};
+const Hrbf exponential_oriented{[](const auto& np)
+                                {
+                                  return np.normals_are_exact(true)
+                                      .radial_basis_function(SC::Exponential_cubic())
+                                      .shape_parameter_box(SC::Shape_parameter_box::ORIENTED);
+                                }};
+
+// Every vertex: `bound` is that of the errors in units of the largest curvature, of the curvatures and (thrice as large) of
+// the directions, weighted by how much they matter; `others` of surfaces of which more, or less, is expected.
+template <typename Estimator>
+void check(const char* name,
+           const Estimator& estimator,
+           Normals normals,
+           double edges,
+           double bound,
+           const std::map<std::string, double>& others)
+{
+  for(const double jitter : {0., .2})
+    for(const Analytic_surface& s : test_support::all_analytic_surfaces(jitter, 3))
+      BOOST_TEST_CONTEXT(name << ", " << s.name << ", jitter " << jitter)
+      {
+        const Result result = run(estimator, s, normals);
+        check_consistency(result);
+        const Errors e = errors(s, result, edges);
+        BOOST_TEST_MESSAGE(name << ", " << s.name << ", jitter " << jitter << ": mean " << e.mean
+                                << ", largest " << e.largest << ", direction " << e.direction);
+        const auto other = others.find(s.name);
+        const double limit = other == others.end() ? bound : other->second;
+        BOOST_TEST(e.largest < limit);
+        BOOST_TEST(e.direction < 3. * limit);
+      }
+}
+
+// The thesis's systems are not definite: some of them are nearly singular, and their vertices wrong. All but a few are
+// right.
+template <typename Estimator>
+void check_most(const char* name, const Estimator& estimator, double median_bound, double bound, double share)
+{
+  for(const double jitter : {0., .2})
+    for(const Analytic_surface& s : test_support::all_analytic_surfaces(jitter, 3))
+      BOOST_TEST_CONTEXT(name << ", " << s.name << ", jitter " << jitter)
+      {
+        const Result result = run(estimator, s, Normals::EXACT);
+        check_consistency(result);
+        std::vector<double> sizes;
+        const std::vector<bool> far = far_from_singularities(s, 3.);
+        const double unit = 1. / largest_curvature(s);
+        for(std::size_t i = 0; i < s.points.size(); ++i)
+          if(far[i])
+          {
+            const double a = unit * std::abs(result.curvatures[i].min_curvature - s.exact[i].k_min);
+            const double b = unit * std::abs(result.curvatures[i].max_curvature - s.exact[i].k_max);
+            sizes.push_back(SC::is_estimated(result.status[i]) ? std::max(a, b)
+                                                               : std::numeric_limits<double>::infinity());
+          }
+        std::sort(sizes.begin(), sizes.end());
+        const double median = sizes[sizes.size() / 2];
+        const double high = sizes[std::size_t((1. - share) * double(sizes.size() - 1))];
+        BOOST_TEST_MESSAGE(name << ", " << s.name << ", jitter " << jitter << ": median " << median
+                                << ", all but " << share << ": " << high);
+        BOOST_TEST(median < median_bound);
+        BOOST_TEST(high < bound);
+      }
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(exact_normals)
+{
+  // half an edge: the vertices of the border are among them, the apex of the cone isn't
+  check("exact", exact, Normals::EXACT, .5, 1.5e-4,
+        {{"sphere", 1e-4}, {"ellipsoid", 6e-5}, {"cylinder", 6e-5}, {"cone", .05}, {"plane", 1e-12}});
+  check("exact, 1 ring", exact_one_ring, Normals::EXACT, .5, 1e-3,
+        {{"torus", 2e-3}, {"cone", .05}, {"plane", 1e-12}});
+  check("exact, 3 rings", exact_three_rings, Normals::EXACT, .5, 7e-5, {{"cone", .05}, {"plane", 1e-12}});
+}
+
+BOOST_AUTO_TEST_CASE(estimated_normals)
+{
+  check("default", by_default, Normals::ESTIMATED, 3., 2e-3, {{"torus", 5e-3}, {"plane", 1e-12}});
+  check("default, 3 rings", three_rings, Normals::ESTIMATED, 3., 3e-4, {{"torus", 8e-4}, {"plane", 1e-12}});
+}
+
+BOOST_AUTO_TEST_CASE(formulation_of_the_thesis)
+{
+  // On a sphere (x - p) . n is -|x - p|^2 / 2 for all centers p: powers of the distance vanish exactly on all of it.
+  check("r^3, exact", cubic_exact, Normals::EXACT, .5, .15,
+        {{"sphere", 1e-11}, {"cone", .3}, {"plane", 1e-12}});
+  check("r^3", cubic, Normals::ESTIMATED, 3., .15, {{"plane", 1e-12}});
+  check_most("r^5, exact", quintic_exact, .02, .25, .1);
+  check_most("exp(-er^3), exact", exponential_exact, .1, .4, .1);
+  check_most("exp(-er^3), exact, oriented", exponential_oriented, .08, .15, .05);
+}
+
+// Errors fall with a power of the length of the edges, down to a small share of the curvature. (The basis function
+// is as flat, relative to the neighborhood, on all meshes.)
+BOOST_AUTO_TEST_CASE(convergence)
+{
+  const auto torus = [](unsigned int k) { return test_support::torus(1., .4, 12 * k, 6 * k, .2, 7); };
+  const auto waves = [](unsigned int k) { return test_support::waves(.1, 4., 1., 8 * k, .2, 7); };
+  const auto check_orders = [&](const char* name, const auto& estimator, Normals normals,
+                                double expected_on_torus, double expected_on_waves)
+  {
+    BOOST_TEST_MESSAGE(name);
+    BOOST_TEST_CONTEXT(name)
+    {
+      BOOST_TEST(convergence_order(estimator, torus, normals, .5) > expected_on_torus);
+      BOOST_TEST(convergence_order(estimator, waves, normals, .5) > expected_on_waves);
+    }
+  };
+  check_orders("exact, 1 ring", exact_one_ring, Normals::EXACT, 2.5, 2.);
+  check_orders("default", by_default, Normals::ESTIMATED, 3., 2.5);
+  const auto check_floor =
+      [&](const char* name, const auto& estimator, Normals normals, double edges, double expected)
+  {
+    for(const Analytic_surface& s : {torus(8), waves(8)})
+    {
+      const double error = errors(s, run(estimator, s, normals), edges).mean;
+      BOOST_TEST_MESSAGE(name << ", fine " << s.name << ": mean error " << error);
+      BOOST_TEST(error < expected, name);
+    }
+  };
+  check_floor("exact", exact, Normals::EXACT, 1.5, 1e-5);
+  check_floor("exact, 1 ring", exact_one_ring, Normals::EXACT, 1.5, 1e-4);
+  check_floor("default", by_default, Normals::ESTIMATED, 3., 2e-4);
+  check_floor("r^3, exact", cubic_exact, Normals::EXACT, 1.5, .015);
+}
+
+namespace {
+
+// mean and Gaussian curvature at the first of `points` by the thesis's system (3.11) with r^3, unscaled and solved by
+// a pivoting of all; phi' = 3 r^2, phi'' = 6 r, phi''' = 6
+std::pair<double, double> curvatures_of_thesis(const std::vector<Eigen::Vector3d>& points,
+                                               const std::vector<Eigen::Vector3d>& normals)
+{
+  const Eigen::Index m = Eigen::Index(points.size());
+  Eigen::MatrixXd system(4 * m, 4 * m);
+  Eigen::VectorXd right(4 * m);
+  for(Eigen::Index i = 0; i < m; ++i)
+  {
+    right.segment<4>(4 * i) << 0., normals[std::size_t(i)];
+    for(Eigen::Index j = 0; j < m; ++j)
+    {
+      const Eigen::Vector3d d = points[std::size_t(i)] - points[std::size_t(j)];
+      const double r = d.norm();
+      const Eigen::Vector3d u = r > 0. ? Eigen::Vector3d(d / r) : Eigen::Vector3d::Zero();
+      const Eigen::Matrix3d hessian = 3. * r * (Eigen::Matrix3d::Identity() + u * u.transpose());
+      system(4 * i, 4 * j) = r * r * r;
+      system.block<1, 3>(4 * i, 4 * j + 1) = 3. * r * r * u.transpose();
+      system.block<3, 1>(4 * i + 1, 4 * j) = 3. * r * r * u;
+      system.block<3, 3>(4 * i + 1, 4 * j + 1) = hessian;
+    }
+  }
+  const Eigen::VectorXd weights = system.fullPivLu().solve(right);
+
+  Eigen::Vector3d g = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d h = Eigen::Matrix3d::Zero();
+  for(Eigen::Index j = 0; j < m; ++j)
+  {
+    const Eigen::Vector3d d = points[0] - points[std::size_t(j)], beta = weights.segment<3>(4 * j + 1);
+    const double r = d.norm(), alpha = weights[4 * j];
+    if(r == 0.)
+      continue;
+    const Eigen::Vector3d u = d / r;
+    const Eigen::Matrix3d second = 3. * r * (Eigen::Matrix3d::Identity() + u * u.transpose());
+    g += alpha * 3. * r * r * u + second * beta;
+    h += alpha * second;
+    // derivative of 3 (r I + d d^T / r) along beta
+    h += 3. * (u.dot(beta) * (Eigen::Matrix3d::Identity() - u * u.transpose()) + beta * u.transpose() +
+               u * beta.transpose());
+  }
+  const double length = g.norm();
+  const double mean = (length * length * h.trace() - g.dot(h * g)) / (2. * length * length * length);
+  Eigen::Matrix4d bordered = Eigen::Matrix4d::Zero();
+  bordered.topLeftCorner<3, 3>() = h;
+  bordered.topRightCorner<3, 1>() = g;
+  bordered.bottomLeftCorner<1, 3>() = g.transpose();
+  return {mean, -bordered.determinant() / (length * length * length * length)};
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(equals_the_plain_system_of_the_thesis)
+{
+  for(const Analytic_surface& s :
+      {test_support::torus(1., .4, 24, 12, .2, 6), test_support::waves(.1, 4., 1., 12, .2, 4),
+       test_support::ellipsoid(10., 8., 6., 2, .2, 5)})
+  {
+    const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+    const Result result = run(cubic_exact, mesh, s, Normals::EXACT);
+    const SC::Face_graph_samples samples(mesh, mesh.points(), SC::Neighborhood::rings(2));
+    SC::Face_graph_samples::Workspace workspace;
+    double largest = 0.;
+    for(std::size_t i = 0; i < samples.size(); i += 7)
+    {
+      std::vector<Eigen::Vector3d> points(1, samples.point(i)), normals(1, eigen(s.exact[i].normal));
+      for(const auto j : samples.neighbors(i, 0, workspace))
+      {
+        points.push_back(samples.point(j));
+        normals.push_back(eigen(s.exact[j].normal));
+      }
+      const auto [mean, Gaussian] = curvatures_of_thesis(points, normals);
+      const double unit = 1. / largest_curvature(s);
+      for(const double error :
+          {unit * std::abs(mean - result.mean[i]), unit * unit * std::abs(Gaussian - result.Gaussian[i])})
+        if(!(error <= largest))
+          largest = error;
+      BOOST_TEST_REQUIRE(std::isfinite(largest));
+    }
+    BOOST_TEST_MESSAGE(s.name << ": largest difference " << largest);
+    BOOST_TEST(largest < 1e-9, s.name);
+  }
+}
+
+// with noise on the points, the default is better than a fit that takes them as they are
+BOOST_AUTO_TEST_CASE(noise)
+{
+  const Hrbf unaware{[](const auto& np) { return np.noise_level(0.).number_of_passes(1u); }};
+  for(Analytic_surface s :
+      {test_support::torus(1., .4, 64, 32, .2, 6), test_support::ellipsoid(1., .8, .6, 4, .2, 5)})
+  {
+    benchmark_support::Random random(11);
+    const double sigma = .1 * s.mean_edge_length();
+    for(auto& p : s.points)
+      for(std::size_t c = 0; c < 3; ++c)
+        p[c] += sigma * random.gaussian();
+    const double error = errors(s, run(by_default, s, Normals::ESTIMATED), 0.).mean;
+    const double error_of_unaware = errors(s, run(unaware, s, Normals::ESTIMATED), 0.).mean;
+    const double error_of_three = errors(s, run(three_rings, s, Normals::ESTIMATED), 0.).mean;
+    BOOST_TEST_MESSAGE(s.name << ", noise 0.1: mean error " << error << ", with 3 rings " << error_of_three
+                              << ", unaware " << error_of_unaware);
+    BOOST_TEST(error < error_of_unaware / 10.);
+    BOOST_TEST(error_of_three < error / 1.2);
+  }
+}
