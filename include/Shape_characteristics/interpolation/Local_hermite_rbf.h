@@ -157,8 +157,11 @@ private:
   static constexpr std::size_t s_nearest =
       9; // neighbors that tell the level of noise: so few that a smooth surface
          // bends little between them
-  static constexpr double s_merged = 1e-3; // distance, in units of the scale, below which points are one
-  static constexpr double s_largest = 50.; // curvature times scale beyond which a fit has failed
+  static constexpr double s_merged = 1e-3;      // distance, in units of the scale, below which points are one
+  static constexpr double s_largest = 50.;      // curvature times scale beyond which a fit has failed
+  static constexpr double s_largest_noisy = 4.; // the same of inexact data
+  static constexpr int s_attempts =
+      9; // to fit inexact data, with noise levels that are ever farther from the given ones
   static constexpr double s_normal_variance =
       0.1; // of estimated normals: weak evidence beside good positions
 
@@ -278,12 +281,12 @@ private:
   }
 
   // whether the surface bends as much as the samples can tell; what the function does off the surface doesn't matter
-  static bool is_bounded(const internal::Hermite_jet& jet)
+  static bool is_bounded(const internal::Hermite_jet& jet, double largest = s_largest)
   {
     const double length = jet.gradient.norm();
     const Eigen::Matrix3d projection =
         Eigen::Matrix3d::Identity() - (jet.gradient / length) * (jet.gradient / length).transpose();
-    return (projection * jet.hessian * projection).norm() < s_largest * length;
+    return (projection * jet.hessian * projection).norm() < largest * length;
   }
 
   bool fit_exact(double rounding, Workspace& workspace, internal::Hermite_jet& jet) const
@@ -334,7 +337,9 @@ private:
   }
 
   // The noise of the normals is guessed. Where it was guessed too high, as on a surface that bends much between its
-  // samples, the function may as well be zero everywhere, and its gradient shrinks: then normals are trusted more.
+  // samples, the function may as well be zero everywhere, and its gradient shrinks: then normals are trusted more. Where
+  // the points' noise was guessed too low, as at a sharp edge between large flat faces, the surface bends more than its
+  // samples can tell: then points are trusted less.
   bool
   fit_noisy(double rounding, Workspace& workspace, internal::Hermite_jet& jet, Vector& displacement) const
   {
@@ -342,7 +347,7 @@ private:
     const double noise = m_options.noise_level * workspace.nearest_size;
     double variance = (std::max)(noise * noise, nugget(rounding));
     double normal_variance = s_normal_variance;
-    for(int attempt = 0; attempt < 6; ++attempt)
+    for(int attempt = 0; attempt < s_attempts; ++attempt)
     {
       if(!workspace.system.solve_positive_definite(variance, normal_variance))
       {
@@ -357,11 +362,13 @@ private:
       }
       jet = workspace.system(displacement);
       const double length = jet.gradient.norm();
-      if(length > 0.05 && displacement.norm() < 0.5 && is_bounded(jet))
+      const bool is_surface = length > 0.05 && displacement.norm() < 0.5;
+      if(is_surface && is_bounded(jet, s_largest_noisy))
         return true;
-      normal_variance *= 0.1;
-      if(attempt >= 2)
-        variance *= 100.;
+      if(!is_surface)
+        normal_variance *= 0.1;
+      if(is_surface || attempt >= 2)
+        variance = (std::max)(100. * variance, 1e-8);
     }
     return false;
   }
