@@ -42,9 +42,15 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   fitted to the points and normals around each vertex, and has the curvatures of its zero set there (thesis, chapter
   8; M. Prantl, L. Váša, Estimation of differential quantities using Hermite RBF interpolation, 2018).
 
-  This is the accurate estimator. On smooth surfaces with exact normals its error falls with the fourth and higher
-  powers of the edge length. Normals that are estimated from the mesh, and noise on the points, are dealt with by default: they
-  are weighed against each other by their evidence, see `noise_level`.
+  This is the accurate estimator: on smooth surfaces that are sampled well, and with exact normals, its error is a millionth
+  to a ten-thousandth of the largest curvature; from there on, a finer mesh doesn't make it smaller, since the fits keep their
+  shape. Normals that are estimated from the mesh, and noise on the points, are dealt with by default: they are weighed
+  against each other by their evidence, see `noise_level`. A surface that is sampled coarsely looks a little noisy as
+  well; where it is known to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded
+  edge as wide as the neighborhood, and may swing beside it.
+
+  The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
+  the systems of equations magnify the rounding of the coordinates.
 
   \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
           The results are the same, bit for bit, for any number of threads.
