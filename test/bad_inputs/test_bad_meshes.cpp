@@ -750,7 +750,10 @@ BOOST_AUTO_TEST_CASE(permutation)
 // Faces turned over: the curvatures change their signs and places, to the last bit, and statuses stay.
 BOOST_AUTO_TEST_CASE(flipped_normals)
 {
-  for(const Polygon_arrays& surface : smooth_meshes())
+  std::vector<Polygon_arrays> surfaces = smooth_meshes();
+  surfaces.push_back(arrays(sphere(1., 2)));
+  surfaces.push_back(fine_cube());
+  for(const Polygon_arrays& surface : surfaces)
   {
     const Mesh out = mesh_of(surface), in = mesh_of(flipped(surface));
     for(const Mesh_estimator& estimator : all_estimators)

@@ -157,7 +157,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
   \throws std::invalid_argument if a parameter has a value without meaning (no rings, a radius that isn't positive, a
-          basis function that isn't valid, a negative noise level)
+          basis function that isn't valid, a negative noise level, no passes)
 
   Complexity: linear in the number of vertices \f$ n \f$: \f$ O(n m^3) \f$ for neighborhoods of \f$ m \f$ vertices.
 

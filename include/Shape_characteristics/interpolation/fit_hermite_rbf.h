@@ -129,7 +129,13 @@ public:
     m_box = choose_parameter(get_parameter(np, internal_np::shape_parameter_box),
                              Shape_parameter_box::AXIS_ALIGNED);
     m_noise_level = choose_parameter(get_parameter(np, internal_np::noise_level), -1.);
-    m_passes = choose_parameter(get_parameter(np, internal_np::number_of_passes), 0u);
+    const long long passes =
+        static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
+    constexpr bool passes_are_given =
+        !parameters::is_default_parameter<NamedParameters, internal_np::number_of_passes_t>::value;
+    if(passes_are_given && (passes < 1 || passes > 1000))
+      throw std::invalid_argument("Shape_characteristics: number_of_passes must be between 1 and 1000");
+    m_passes = static_cast<std::size_t>(passes);
     const double distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
     const std::uint64_t seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);
     m_callback = choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
@@ -218,8 +224,8 @@ private:
 
   bool m_normals_are_exact;
   Shape_parameter_box m_box;
-  double m_noise_level;  // negative: to be estimated
-  unsigned int m_passes; // 0: to be chosen
+  double m_noise_level; // negative: to be estimated
+  std::size_t m_passes; // 0: to be chosen
   std::vector<Eigen::Vector2d> m_pattern;
   std::function<bool(double)> m_callback;
 };
