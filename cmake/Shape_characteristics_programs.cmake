@@ -36,6 +36,8 @@ if(OPENMESH_INCLUDE_DIR AND OPENMESH_CORE_LIBRARY)
   target_include_directories(Shape_characteristics_OpenMesh SYSTEM INTERFACE ${OPENMESH_INCLUDE_DIR})
   target_link_libraries(Shape_characteristics_OpenMesh INTERFACE ${OPENMESH_CORE_LIBRARY})
   target_compile_definitions(Shape_characteristics_OpenMesh INTERFACE CGAL_USE_OPENMESH) # as CGAL's own tests say it
+  # OpenMesh's vectors start without values
+  target_compile_options(Shape_characteristics_OpenMesh INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endif()
 
 # Sets `result` to whether the file `source` includes a header whose name matches the regular expression `header`.
