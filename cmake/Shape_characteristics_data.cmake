@@ -19,4 +19,3 @@ if(NOT EXISTS ${SHAPE_CHARACTERISTICS_DATA_DIR}/meshes)
                   "Install Debian's package libcgal-demo, or set SHAPE_CHARACTERISTICS_DATA_DIR to the folder "
                   "Data/data of CGAL's sources.")
 endif()
-set(CGAL_DATA_DIR ${SHAPE_CHARACTERISTICS_DATA_DIR}) # the default of CGAL::data_file_path()

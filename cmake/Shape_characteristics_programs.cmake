@@ -14,7 +14,8 @@ target_link_libraries(Shape_characteristics_development INTERFACE
 target_compile_options(Shape_characteristics_development INTERFACE
   -Wall -Wextra $<$<BOOL:${SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS}>:-Werror>)
 target_compile_definitions(Shape_characteristics_development INTERFACE
-  SHAPE_CHARACTERISTICS_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}")
+  SHAPE_CHARACTERISTICS_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}"
+  CGAL_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}") # where CGAL::data_file_path() looks
 if(SHAPE_CHARACTERISTICS_SANITIZERS)
   # Without the checks of every pointer and reference: they make the compiler three times slower, and what they would
   # find makes the program end in the address sanitizer (null, out of an object) or in Eigen's vector instructions
