@@ -39,8 +39,8 @@ public:
                     const Vector_3& Tuu,
                     const Vector_3& Tuv,
                     const Vector_3& Tvv)
-    : tu(internal::to_eigen_vector(Tu)),
-      tv(internal::to_eigen_vector(Tv))
+    : tu(internal::to_eigen(Tu)),
+      tv(internal::to_eigen(Tv))
   {
     const double length_u = internal::safe_norm(tu), length_v = internal::safe_norm(tv);
     const Eigen::Vector3d cross = (tu / length_u).cross(tv / length_v);
@@ -48,9 +48,9 @@ public:
     // below, the direction of the cross product is rounding noise
     if(sine > std::numeric_limits<double>::epsilon())
       unit_normal = cross / sine;
-    second[0] = internal::to_eigen_vector(Tuu).dot(unit_normal);
-    second[1] = internal::to_eigen_vector(Tuv).dot(unit_normal);
-    second[2] = internal::to_eigen_vector(Tvv).dot(unit_normal);
+    second[0] = internal::to_eigen(Tuu).dot(unit_normal);
+    second[1] = internal::to_eigen(Tuv).dot(unit_normal);
+    second[2] = internal::to_eigen(Tvv).dot(unit_normal);
     eigen = internal::eigen_of_second_fundamental_form(unit_normal, second[0], second[1], second[2], tu, tv);
   }
 

@@ -61,38 +61,9 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin
-    \cgalParamNBegin{vertex_principal_curvatures_and_directions_map}
-      \cgalParamDescription{a property map in which the principal curvatures and directions are written}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `Principal_curvatures_and_directions<GeomTraits>`,
-                     or the type of the same name of \cgal 6}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_mean_curvature_map}
-      \cgalParamDescription{a property map in which the mean curvatures are written}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_Gaussian_curvature_map}
-      \cgalParamDescription{a property map in which the Gaussian curvatures are written}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_status_map}
-      \cgalParamDescription{a property map in which is written whether each vertex has values, and if not, why}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `Estimation_status`}
-      \cgalParamDefault{not written}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_point_map}
-      \cgalParamDescription{the points of the vertices}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Point_3`}
-      \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_normal_map}
-      \cgalParamDescription{the outward normals of the vertices, of any length}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Vector_3`}
-      \cgalParamDefault{computed by `vertex_normals()`}
-      \cgalParamExtra{How they are computed is chosen by `normal_weighting`.}
-    \cgalParamNEnd
+    \scMeshOutputParameters
+    \scMeshInputParameters
+    \scCallbackParameter
     \cgalParamNBegin{normals_are_exact}
       \cgalParamDescription{whether the normals are those of the surface itself, and the points lie on it}
       \cgalParamType{`bool`}
@@ -141,17 +112,6 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`Shape_parameter_box`}
       \cgalParamDefault{`Shape_parameter_box::AXIS_ALIGNED`}
     \cgalParamNEnd
-    \cgalParamNBegin{callback}
-      \cgalParamDescription{called with the advancement in [0, 1], by one thread at a time; `false` stops the
-                            computation, and vertices not yet reached get the status `CANCELLED`}
-      \cgalParamType{convertible to `std::function<bool(double)>`}
-      \cgalParamDefault{unused}
-    \cgalParamNEnd
-    \cgalParamNBegin{geom_traits}
-      \cgalParamDescription{an instance of a geometric traits class}
-      \cgalParamType{a model of `Kernel`}
-      \cgalParamDefault{deduced from the point type}
-    \cgalParamNEnd
   \cgalNamedParamsEnd
 
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
@@ -186,21 +146,7 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
          other outputs:
 
   \cgalNamedParamsBegin
-    \cgalParamNBegin{vertex_principal_curvatures_and_directions}
-      \cgalParamDescription{a variable for the principal curvatures and directions}
-      \cgalParamType{`std::reference_wrapper` of a `Principal_curvatures_and_directions<GeomTraits>`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_mean_curvature}
-      \cgalParamDescription{a variable for the mean curvature}
-      \cgalParamType{`std::reference_wrapper` of an `FT`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_Gaussian_curvature}
-      \cgalParamDescription{a variable for the Gaussian curvature}
-      \cgalParamType{`std::reference_wrapper` of an `FT`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
+    \scVertexOutputParameters
   \cgalNamedParamsEnd
 
   With exact normals the result has the bits of the whole mesh's. With inexact ones, the noise level is estimated from
@@ -236,37 +182,8 @@ Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph
          and:
 
   \cgalNamedParamsBegin
-    \cgalParamNBegin{principal_curvatures_and_directions_map}
-      \cgalParamDescription{a property map in which the principal curvatures and directions are written}
-      \cgalParamType{a model of `WritablePropertyMap` with the value type of the range as key type and value type
-                     `Principal_curvatures_and_directions<GeomTraits>`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{mean_curvature_map}
-      \cgalParamDescription{a property map in which the mean curvatures are written}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{Gaussian_curvature_map}
-      \cgalParamDescription{a property map in which the Gaussian curvatures are written}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `FT`}
-      \cgalParamDefault{not computed}
-    \cgalParamNEnd
-    \cgalParamNBegin{status_map}
-      \cgalParamDescription{a property map in which is written whether each point has values, and if not, why}
-      \cgalParamType{a model of `WritablePropertyMap` with value type `Estimation_status`}
-      \cgalParamDefault{not written}
-    \cgalParamNEnd
-    \cgalParamNBegin{point_map}
-      \cgalParamDescription{the points of the elements of the range}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Point_3`}
-      \cgalParamDefault{`CGAL::Identity_property_map`, or the map of a `CGAL::Point_set_3`}
-    \cgalParamNEnd
-    \cgalParamNBegin{normal_map}
-      \cgalParamDescription{the outward normals of the elements of the range, of any length}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `%Vector_3`}
-      \cgalParamDefault{the map of a `CGAL::Point_set_3`; other ranges need it}
-    \cgalParamNEnd
+    \scPointSetOutputParameters
+    \scPointSetInputParameters
     \cgalParamNBegin{number_of_neighbors}
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}

@@ -42,8 +42,7 @@ Principal_curvatures_and_directions<typename CGAL::Kernel_traits<Vector_3>::Kern
 implicit_surface_curvatures(const Vector_3& gradient, const Matrix& hessian)
 {
   return internal::to_principal_curvatures<typename CGAL::Kernel_traits<Vector_3>::Kernel>(
-      internal::curvatures_of_implicit(internal::to_eigen_vector(gradient),
-                                       internal::to_eigen_matrix(hessian)));
+      internal::curvatures_of_implicit(internal::to_eigen(gradient), internal::to_eigen_matrix(hessian)));
 }
 
 } // namespace Shape_characteristics

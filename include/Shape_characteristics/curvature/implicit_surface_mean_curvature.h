@@ -31,7 +31,7 @@ typename CGAL::Kernel_traits<Vector_3>::Kernel::FT implicit_surface_mean_curvatu
                                                                                    const Matrix& hessian)
 {
   using FT = typename CGAL::Kernel_traits<Vector_3>::Kernel::FT;
-  const Eigen::Vector3d g = internal::to_eigen_vector(gradient);
+  const Eigen::Vector3d g = internal::to_eigen(gradient);
   const double length = internal::safe_norm(g);
   if(!(length > 0 && std::isfinite(length)))
     return FT(std::numeric_limits<double>::quiet_NaN());

@@ -247,8 +247,8 @@ Estimation_status jet_fitting_curvatures(typename internal::Vertex_descriptor<Fa
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin
-    \scPointOutputParameters
-    \scPointInputParameters
+    \scPointSetOutputParameters
+    \scPointSetInputParameters
     \cgalParamNBegin{degree_fitting}
       \cgalParamDescription{the degree of the polynomials, from 2 to 12}
       \cgalParamType{an integer type}

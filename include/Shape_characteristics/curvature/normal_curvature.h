@@ -27,11 +27,11 @@ typename GeomTraits::FT normal_curvature(const Principal_curvatures_and_directio
                                          const typename GeomTraits::Vector_3& direction)
 {
   using FT = typename GeomTraits::FT;
-  const Eigen::Vector3d d = internal::to_eigen_vector(direction);
+  const Eigen::Vector3d d = internal::to_eigen(direction);
   const double length = internal::safe_norm(d);
   const Eigen::Vector3d unit = d / length;
-  const double c = unit.dot(internal::to_eigen_vector(curvatures.max_direction));
-  const double s = unit.dot(internal::to_eigen_vector(curvatures.min_direction));
+  const double c = unit.dot(internal::to_eigen(curvatures.max_direction));
+  const double s = unit.dot(internal::to_eigen(curvatures.min_direction));
   const double square = c * c + s * s;
   // of a direction along the normal, rounding alone leaves a tangential part
   constexpr double noise = 16 * std::numeric_limits<double>::epsilon();

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/internal/to_eigen.h>
 
 #include <CGAL/number_utils.h>
 
@@ -11,12 +12,6 @@ namespace Shape_characteristics {
 namespace internal {
 
 // between CGAL's types and the ones of the calculus
-
-template <typename Vector_3>
-Eigen::Vector3d to_eigen_vector(const Vector_3& v)
-{
-  return {CGAL::to_double(v.x()), CGAL::to_double(v.y()), CGAL::to_double(v.z())};
-}
 
 // any matrix type with m(i, j); its symmetric part's upper triangle
 template <typename Matrix>
