@@ -52,6 +52,10 @@ public:
   /// returns the mean distance of neighboring samples all over the surface; 0 if there are none.
   double mean_spacing() const;
 
+  /// returns all samples in an order in which those that are close to each other on the surface are mostly close to each
+  /// other: each block of `patch_size` in a row is a compact patch. The same surface gives the same order.
+  std::vector<Index> traversal_order(std::size_t patch_size = 2000) const;
+
   /// replaces the point of sample `i`. The neighborhoods stay as they are.
   void set_point(std::size_t i, const Eigen::Vector3d& point);
 

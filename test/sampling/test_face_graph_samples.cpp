@@ -200,6 +200,68 @@ void check_same(const Face_graph_samples& a, const Face_graph_samples& b, std::s
 
 } // namespace
 
+// What isn't kept is found in another way, or is gone; the rest is the same.
+BOOST_AUTO_TEST_CASE(connectivity)
+{
+  using Connectivity = Face_graph_samples::Connectivity;
+  for(const Polygon_arrays& a : some_meshes())
+    for(const Neighborhood& neighborhood : {Neighborhood::rings(2), Neighborhood::ball(.4)})
+      BOOST_TEST_CONTEXT(a.name)
+      {
+        const Mesh mesh = build_mesh<Mesh>(a);
+        const auto vpm = get(CGAL::vertex_point, mesh);
+        const Face_graph_samples both(mesh, vpm, neighborhood);
+        const Face_graph_samples faces(mesh, vpm, neighborhood, Connectivity::FACES);
+        const Face_graph_samples neighbors(mesh, vpm, neighborhood, Connectivity::NEIGHBORS);
+        BOOST_TEST(faces.number_of_faces() == both.number_of_faces());
+        BOOST_TEST(neighbors.number_of_faces() == 0u);
+        BOOST_TEST(neighbors.is_triangle_mesh() == both.is_triangle_mesh());
+        BOOST_TEST(neighbors.mean_spacing() == both.mean_spacing());
+        Face_graph_samples::Workspace of_both, of_faces, of_neighbors;
+        for(std::size_t i = 0; i < both.size(); ++i)
+        {
+          const Indices& expected = both.neighbors(i, 9, of_both);
+          BOOST_TEST((faces.neighbors(i, 9, of_faces) == expected));
+          BOOST_TEST((neighbors.neighbors(i, 9, of_neighbors) == expected));
+          BOOST_TEST((faces.status(i) == both.status(i) && neighbors.status(i) == both.status(i)));
+          const auto [begin, end] = both.incident_faces(i);
+          const auto of_i = faces.incident_faces(i);
+          BOOST_TEST(std::equal(begin, end, of_i.first, of_i.second));
+          for(const auto* f = begin; f != end; ++f)
+            BOOST_TEST(both.vertex(*f, both.corner(*f, i)) == i);
+        }
+      }
+}
+
+// The mesh's own numbers are used where they are in order, and only there.
+BOOST_AUTO_TEST_CASE(numbers_of_the_mesh)
+{
+  const Analytic_surface surface = torus(1., .4, 16, 8, .1);
+  Polyhedron_with_ids mesh = build_mesh<Polyhedron_with_ids>(surface);
+  const Face_graph_samples expected = samples_of(mesh, Neighborhood::rings(2));
+  for(auto v = mesh.vertices_begin(); v != mesh.vertices_end(); ++v)
+    v->id() = std::size_t(-1);
+  check_same(expected, samples_of(mesh, Neighborhood::rings(2)), 5);
+  std::size_t id = surface.points.size();
+  for(auto v = mesh.vertices_begin(); v != mesh.vertices_end(); ++v)
+    v->id() = --id;
+  check_same(expected, samples_of(mesh, Neighborhood::rings(2)), 5);
+}
+
+// of directions that come from elsewhere, rounded as they may be
+BOOST_AUTO_TEST_CASE(unit_normals_keep_their_bits)
+{
+  const Mesh mesh = build_mesh<Mesh>(torus(1., .4, 16, 8, .1));
+  Face_graph_samples samples = samples_of(mesh, Neighborhood::rings(1));
+  const std::vector<Eigen::Vector3d> normals = SC::vertex_normals<CGAL::Sequential_tag>(samples);
+  samples.set_normals(normals);
+  for(std::size_t i = 0; i < samples.size(); ++i)
+  {
+    BOOST_TEST(std::abs(samples.normal(i).norm() - 1.) < 1e-15);
+    BOOST_TEST((samples.normal(i) == normals[i]));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(mesh_types_give_the_same_arrays)
 {
   for(const Analytic_surface& surface : {waves(.1, 4., 1., 8, .15), torus(1., .4, 16, 8, .1)})
@@ -289,6 +351,73 @@ BOOST_AUTO_TEST_CASE(order_is_canonical)
       }
     }
   }
+}
+
+namespace {
+
+// the part of the edges that join different blocks of 2000 of the order
+double part_across_blocks(const Face_graph_samples& samples, const Indices& order)
+{
+  std::vector<std::size_t> block(samples.size());
+  for(std::size_t k = 0; k < order.size(); ++k)
+    block[order[k]] = k / 2000;
+  std::size_t edges = 0, across = 0;
+  for(std::size_t f = 0; f < samples.number_of_faces(); ++f)
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      ++edges;
+      across += block[samples.vertex(f, k)] != block[samples.vertex(f, (k + 1) % 3)];
+    }
+  return double(across) / double(edges);
+}
+
+void check_permutation(Indices order, std::size_t size)
+{
+  std::sort(order.begin(), order.end());
+  BOOST_REQUIRE(order.size() == size);
+  for(std::size_t i = 0; i < size; ++i)
+    BOOST_REQUIRE(order[i] == i);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(traversal_goes_by_compact_patches)
+{
+  for(Polygon_arrays a : {arrays(plane(1., 150)), arrays(sphere(1., 5)), arrays(torus(1., .1, 400, 30))})
+  {
+    Random random(11);
+    for(std::size_t shuffled = 0; shuffled < 2; ++shuffled)
+      BOOST_TEST_CONTEXT(a.name << (shuffled == 0 ? "" : ", shuffled"))
+      {
+        const Face_graph_samples samples = samples_of(build_mesh<Mesh>(a), Neighborhood::rings(2));
+        const Indices order = samples.traversal_order();
+        check_permutation(order, samples.size());
+        BOOST_TEST(order.front() == 0u);
+        BOOST_TEST(part_across_blocks(samples, order) < .06);
+
+        // The connectivity alone determines it.
+        Polygon_arrays moved = a;
+        for(auto& p : moved.points)
+          p = {3. * p.y + 1., -.7 * p.x, 100. * p.z};
+        const Polyhedron polyhedron = build_mesh<Polyhedron>(moved);
+        BOOST_TEST((samples_of(polyhedron, Neighborhood::ball(.1)).traversal_order() == order));
+
+        std::vector<std::size_t> place(a.points.size());
+        std::iota(place.begin(), place.end(), std::size_t(0));
+        for(std::size_t i = place.size(); i > 1; --i)
+          std::swap(place[i - 1], place[std::size_t(random.uniform() * double(i))]);
+        const Polygon_arrays before = a;
+        for(std::size_t i = 0; i < place.size(); ++i)
+          a.points[place[i]] = before.points[i];
+        for(auto& f : a.faces)
+          for(std::size_t& i : f)
+            i = place[i];
+      }
+  }
+  for(const Polygon_arrays& a : some_meshes())
+    check_permutation(samples_of(build_mesh<Mesh>(a), Neighborhood::rings(2)).traversal_order(),
+                      a.points.size());
+  BOOST_TEST(samples_of(Mesh(), Neighborhood::rings(2)).traversal_order().empty());
 }
 
 // The patch of a vertex is the whole mesh, as far as one sees from it.

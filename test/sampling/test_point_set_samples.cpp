@@ -245,6 +245,53 @@ BOOST_AUTO_TEST_CASE(normals)
   }
 }
 
+// Neighbors are looked for where the points were; they are sorted as they are.
+BOOST_AUTO_TEST_CASE(moved_points)
+{
+  const std::vector<Point_3> points = random_points(200, 12);
+  Point_set_samples samples = samples_of(points, Neighborhood::nearest(10));
+  std::vector<Point_3> moved = points;
+  Random random(13);
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    const double x = .2 * random.uniform(), y = .2 * random.uniform();
+    moved[i] = points[i] + Kernel::Vector_3(x, y, 0.);
+    samples.set_point(i, Eigen::Vector3d(moved[i].x(), moved[i].y(), moved[i].z()));
+  }
+  Point_set_samples::Workspace workspace;
+  for(std::size_t i = 0; i < points.size(); ++i)
+  {
+    Indices expected = plain_order(points, i);
+    expected.resize(10);
+    std::sort(
+        expected.begin(), expected.end(),
+        [&](const std::size_t a, const std::size_t b)
+        { return CGAL::squared_distance(moved[i], moved[a]) < CGAL::squared_distance(moved[i], moved[b]); });
+    BOOST_TEST((samples.neighbors(i, 0, workspace) == expected));
+  }
+}
+
+// Many neighbors, of which the leading bits of the distances don't tell which is nearer.
+BOOST_AUTO_TEST_CASE(nearly_equal_distances)
+{
+  std::vector<Point_3> points = {Point_3(0., 0., 0.)};
+  Random random(14);
+  for(int i = 0; i < 40; ++i)
+  {
+    const double angle = 6. * random.uniform(), radius = 1. + 1e-9 * random.uniform();
+    points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.);
+  }
+  for(const Neighborhood& neighborhood : {Neighborhood::nearest(25), Neighborhood::ball(1.5)})
+  {
+    Indices expected = plain_order(points, 0);
+    if(neighborhood.kind() == Neighborhood::Kind::NEAREST)
+      expected.resize(25);
+    const Point_set_samples samples = samples_of(points, neighborhood);
+    Point_set_samples::Workspace workspace;
+    BOOST_TEST((samples.neighbors(0, 0, workspace) == expected));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(spacing)
 {
   const std::vector<Point_3> points = random_points(80, 9);
@@ -260,6 +307,39 @@ BOOST_AUTO_TEST_CASE(spacing)
     sum_of_all += sum / 6.;
   }
   BOOST_TEST(std::abs(samples.mean_spacing() - sum_of_all / double(points.size())) < 1e-14);
+}
+
+BOOST_AUTO_TEST_CASE(traversal_goes_by_compact_patches)
+{
+  std::vector<Point_3> points = random_points(20000, 10);
+  for(Point_3& p : points)
+    p = Point_3(p.x(), p.y(), std::sin(p.x()));
+  const std::size_t bad = 77;
+  points[bad] = Point_3(0., std::numeric_limits<double>::quiet_NaN(), 0.);
+  const Point_set_samples samples = samples_of(points, Neighborhood::nearest(6));
+  const Indices order = samples.traversal_order();
+  BOOST_REQUIRE(order.size() == points.size());
+  BOOST_TEST(order.back() == bad);
+  BOOST_TEST((samples_of(points, Neighborhood::ball(.1)).traversal_order() == order));
+
+  std::vector<std::size_t> block(points.size(), points.size());
+  for(std::size_t k = 0; k < order.size(); ++k)
+  {
+    BOOST_REQUIRE(block[order[k]] == points.size()); // not yet seen
+    block[order[k]] = k / 2000;
+  }
+  Point_set_samples::Workspace workspace;
+  std::size_t neighbors = 0, across = 0;
+  for(std::size_t i = 0; i < points.size(); ++i)
+    for(const auto j : samples.neighbors(i, 0, workspace))
+    {
+      ++neighbors;
+      across += block[i] != block[j];
+    }
+  BOOST_TEST(double(across) / double(neighbors) < .08);
+
+  const std::vector<Point_3> none(3, points[bad]);
+  BOOST_TEST((samples_of(none, Neighborhood::nearest(6)).traversal_order() == Indices{0, 1, 2}));
 }
 
 BOOST_AUTO_TEST_CASE(rings_need_a_mesh)

@@ -29,6 +29,7 @@ namespace Shape_characteristics {
   \param mesh the mesh
   \param neighborhood what the neighbors of a vertex are
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+  \param connectivity what is to be known of the mesh afterwards
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}
@@ -52,22 +53,32 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename FaceGraph,
           typename NamedParameters = parameters::Default_named_parameters,
           typename = std::enable_if_t<internal::is_face_graph<FaceGraph> > >
-Face_graph_samples sampled_surface(const FaceGraph& mesh,
-                                   const Neighborhood& neighborhood,
-                                   const NamedParameters& np = parameters::default_values())
+Face_graph_samples
+sampled_surface(const FaceGraph& mesh,
+                const Neighborhood& neighborhood,
+                const NamedParameters& np = parameters::default_values(),
+                Face_graph_samples::Connectivity connectivity = Face_graph_samples::Connectivity::NEIGHBORS)
 {
+  using Connectivity = Face_graph_samples::Connectivity;
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     CGAL::get_const_property_map(CGAL::vertex_point, mesh));
-  Face_graph_samples samples(mesh, vpm, neighborhood);
-  if constexpr(is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value)
+  constexpr bool computes_normals =
+      is_default_parameter<NamedParameters, internal_np::vertex_normal_map_t>::value;
+  const bool forgets_faces = computes_normals && connectivity == Connectivity::NEIGHBORS;
+  Face_graph_samples samples(mesh, vpm, neighborhood,
+                             forgets_faces ? Connectivity::NEIGHBORS_AND_FACES : connectivity,
+                             ConcurrencyTag());
+  if constexpr(computes_normals)
   {
     const Normal_weighting weighting =
         choose_parameter(get_parameter(np, internal_np::normal_weighting), Normal_weighting::MAX);
     samples.set_normals(vertex_normals<ConcurrencyTag>(samples, weighting), Estimation_status::DEGENERATE);
+    if(forgets_faces)
+      samples.forget_faces();
   }
   else
   {

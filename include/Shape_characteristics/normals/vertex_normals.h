@@ -11,6 +11,7 @@
 
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -32,16 +33,20 @@ std::vector<Eigen::Vector3d> vertex_normals(const Face_graph_samples& samples,
 {
   struct Nothing
   {};
+  constexpr std::size_t block_size = 1024;
   std::vector<Eigen::Vector3d> normals(samples.size(), Eigen::Vector3d::Zero());
-  for_each_sample<ConcurrencyTag, Nothing>(samples.size(),
-                                           [&](const std::size_t i, Nothing&)
-                                           {
-                                             const Eigen::Vector3d sum =
-                                                 internal::weighted_normal(samples, i, weighting);
-                                             const double length = internal::length(sum);
-                                             if(length > 0.)
-                                               normals[i] = (sum / length).normalized();
-                                           });
+  for_each_sample<ConcurrencyTag, Nothing>(
+      samples.size(),
+      [&](const std::size_t i, Nothing&)
+      {
+        const Eigen::Vector3d sum = internal::weighted_normal(samples, i, weighting);
+        const double square = sum.squaredNorm();
+        if(square > 1e-280 && square < 1e280)
+          normals[i] = sum / std::sqrt(square);
+        else if(const double length = internal::length(sum); length > 0.)
+          normals[i] = (sum / length).normalized();
+      },
+      {}, block_size);
   return normals;
 }
 
@@ -109,7 +114,8 @@ std::size_t vertex_normals(const FaceGraph& mesh,
   const Normal_weighting weighting =
       choose_parameter(get_parameter(np, internal_np::normal_weighting), Normal_weighting::MAX);
 
-  Face_graph_samples samples(mesh, vpm, Neighborhood::rings(1));
+  Face_graph_samples samples(mesh, vpm, Neighborhood::rings(1), Face_graph_samples::Connectivity::FACES,
+                             ConcurrencyTag());
   samples.set_normals(vertex_normals<ConcurrencyTag>(samples, weighting), Estimation_status::DEGENERATE);
 
   std::size_t failures = 0, i = 0;

@@ -2,9 +2,10 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_FACE_GRAPH_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
-#include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
+#include <Shape_characteristics/sampling/internal/make_unit.h>
 #include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 
@@ -13,6 +14,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
+#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -45,7 +47,15 @@ namespace Shape_characteristics {
 class Face_graph_samples
 {
 public:
-  using Index = std::uint32_t; ///< number of a vertex or of a face
+  using Index = std::uint32_t; ///< number of a vertex, of a face, or of a corner of one
+
+  /// what is known beside the points, 28 bytes a vertex for the neighbors, 52 for the faces
+  enum class Connectivity : unsigned char
+  {
+    NEIGHBORS, ///< neighbors alone; `number_of_faces()` is 0
+    FACES, ///< faces alone; `neighbors()` is found by way of them, at twice the cost, and nothing is known of spacings
+    NEIGHBORS_AND_FACES ///< both
+  };
 
   /// scratch memory of `neighbors()`, for one thread at a time
   class Workspace
@@ -65,28 +75,47 @@ public:
     \param mesh the mesh
     \param vpm its points
     \param neighborhood what the neighbors of a vertex are: `Neighborhood::rings()` or `Neighborhood::ball()`
-    \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ vertices or faces
+    \param connectivity what is to be known beside the points
+    \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ vertices or corners of faces
 
     Complexity: linear in the size of the mesh.
   */
-  template <typename FaceGraph, typename VertexPointMap>
-  Face_graph_samples(const FaceGraph& mesh, const VertexPointMap& vpm, const Neighborhood& neighborhood)
+  template <typename FaceGraph, typename VertexPointMap, typename ConcurrencyTag = CGAL::Sequential_tag>
+  Face_graph_samples(const FaceGraph& mesh,
+                     const VertexPointMap& vpm,
+                     const Neighborhood& neighborhood,
+                     Connectivity connectivity = Connectivity::NEIGHBORS_AND_FACES,
+                     ConcurrencyTag = ConcurrencyTag())
     : m_neighborhood(neighborhood)
   {
     check_neighborhood();
-    auto index_map = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
     m_points.reserve(num_vertices(mesh));
     for(const auto v : vertices(mesh))
     {
       check_size(m_points.size());
-      put(index_map, v, Index(m_points.size()));
       add_point(get(vpm, v));
     }
-    const auto index = [&](const auto v) { return get(index_map, v); };
-    copy_edges(mesh, edges(mesh), index);
-    for(const auto f : faces(mesh))
-      add_face(mesh, f, index);
-    find_status();
+    if constexpr(CGAL::graph_has_property<FaceGraph, boost::vertex_index_t>::value)
+    {
+      // The mesh's own numbers, where they are in order: they cost nothing.
+      const auto index_map = get(boost::vertex_index, mesh);
+      std::size_t i = 0;
+      bool is_in_order = true;
+      for(const auto v : vertices(mesh))
+        is_in_order = is_in_order && std::size_t(get(index_map, v)) == i++;
+      if(is_in_order)
+      {
+        copy_connectivity<ConcurrencyTag>(
+            mesh, [&](const auto v) { return Index(get(index_map, v)); }, connectivity);
+        return;
+      }
+    }
+    auto index_map = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+    Index i = 0;
+    for(const auto v : vertices(mesh))
+      put(index_map, v, i++);
+    copy_connectivity<ConcurrencyTag>(
+        mesh, [&](const auto v) { return get(index_map, v); }, connectivity);
   }
 
   /*!
@@ -164,8 +193,7 @@ public:
     }
 
     const auto index = [&](const vertex_descriptor v) { return index_of.at(v); };
-    std::vector<typename Graph_traits::edge_descriptor> copied_edges;
-    std::vector<typename Graph_traits::face_descriptor> copied_faces;
+    m_status.assign(size(), Estimation_status::ESTIMATED);
     for(const vertex_descriptor v : copied)
     {
       const auto start = halfedge(v, mesh);
@@ -173,19 +201,14 @@ public:
         continue;
       for(const auto h : CGAL::halfedges_around_target(start, mesh))
       {
-        const auto w = index_of.find(source(h, mesh));
-        if(w == index_of.end())
-          continue;
-        if(w->second < index_of.at(v))
-          copied_edges.push_back(edge(h, mesh));
+        if(CGAL::is_border_edge(h, mesh))
+          m_status[index_of.at(v)] = Estimation_status::BORDER;
         if(!CGAL::is_border(h, mesh) && owns_face(mesh, h, index_of))
-          copied_faces.push_back(face(h, mesh));
+          add_face(mesh, face(h, mesh), index);
       }
     }
-    copy_edges(mesh, copied_edges, index);
-    for(const auto f : copied_faces)
-      add_face(mesh, f, index);
-    find_status();
+    find_incidence<CGAL::Sequential_tag>(true);
+    find_adjacency();
   }
 
   /// \name Samples
@@ -227,25 +250,90 @@ public:
   /// mean length of the edges at vertex `i` (0 if there is none)
   double spacing(std::size_t i) const
   {
-    double sum = 0.;
-    std::size_t count = 0;
+    std::vector<double> lengths;
     for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
-    {
-      const double length = (m_points[m_adjacency[k]] - m_points[i]).norm();
-      if(std::isfinite(length))
-      {
-        sum += length;
-        ++count;
-      }
-    }
-    return count == 0 ? 0. : sum / double(count);
+      if(const double length = (m_points[m_adjacency[k]] - m_points[i]).norm(); std::isfinite(length))
+        lengths.push_back(length);
+    return internal::mean_of(lengths);
   }
 
   /// mean length of all edges with finite ends (0 if there is none)
-  double mean_spacing() const noexcept { return m_mean_edge_length; }
+  ///
+  /// Complexity: \f$ O(n \log n) \f$: they are added up in the order of their lengths, whatever the order of the vertices.
+  double mean_spacing() const
+  {
+    std::vector<double> lengths;
+    lengths.reserve(m_adjacency.size() / 2);
+    for(std::size_t i = 0; i < size(); ++i)
+      for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
+        if(m_adjacency[k] > i)
+          if(const double length = (m_points[m_adjacency[k]] - m_points[i]).norm(); std::isfinite(length))
+            lengths.push_back(length);
+    return internal::mean_of(lengths);
+  }
 
   /// what the neighbors are
   const Neighborhood& neighborhood() const noexcept { return m_neighborhood; }
+
+  /*!
+    returns all vertices in an order in which neighbors are mostly close to each other: each block of `patch_size` in a
+    row is a compact patch. Only the edges and the order of the vertices determine it, so it doesn't change
+    when the mesh is moved or scaled.
+
+    Complexity: linear in the size of the mesh.
+  */
+  std::vector<Index> traversal_order(std::size_t patch_size = 2000) const
+  {
+    // One breadth-first search over all would give rings, as long as the mesh and a few vertices wide. So each patch is a
+    // search of its own; it starts at the oldest vertex that those before have reached and left over, and goes on at
+    // the next one if it is enclosed by them.
+    constexpr Index placed = (std::numeric_limits<Index>::max)();
+    std::vector<Index> order, front, reached, number_of_patch(size(), 0); // 0: not reached
+    order.reserve(size());
+    std::size_t front_begin = 0, first = 0, referenced = 0;
+    for(std::size_t i = 0; i < size(); ++i)
+      if(m_status[i] == Estimation_status::UNREFERENCED)
+        number_of_patch[i] = placed;
+      else
+        ++referenced;
+    for(Index patch = 1; order.size() < referenced; ++patch)
+    {
+      reached.clear();
+      std::size_t next = 0;
+      const std::size_t end = (std::min)(order.size() + patch_size, referenced);
+      for(; order.size() < end; ++next)
+      {
+        if(next == reached.size())
+        {
+          while(front_begin < front.size() && number_of_patch[front[front_begin]] == placed)
+            ++front_begin;
+          while(front_begin == front.size() && number_of_patch[first] != 0)
+            ++first;
+          reached.push_back(front_begin < front.size() ? front[front_begin] : Index(first));
+          number_of_patch[reached.back()] = patch;
+        }
+        const Index i = reached[next];
+        order.push_back(i);
+        number_of_patch[i] = placed;
+        const std::size_t before = reached.size();
+        for_each_adjacent(i,
+                          [&](const Index j)
+                          {
+                            if(number_of_patch[j] != placed && number_of_patch[j] != patch)
+                            {
+                              number_of_patch[j] = patch;
+                              reached.push_back(j);
+                            }
+                          });
+        std::sort(reached.begin() + std::ptrdiff_t(before), reached.end());
+      }
+      front.insert(front.end(), reached.begin() + std::ptrdiff_t(next), reached.end());
+    }
+    for(std::size_t i = 0; i < size(); ++i)
+      if(m_status[i] == Estimation_status::UNREFERENCED)
+        order.push_back(Index(i));
+    return order;
+  }
 
   /// @}
 
@@ -253,11 +341,26 @@ public:
   /// @{
 
   /// number of faces
-  std::size_t number_of_faces() const noexcept { return m_face_begin.size() - 1; }
+  std::size_t number_of_faces() const noexcept
+  {
+    return m_face_begin.empty() ? m_face_vertices.size() / 3 : m_face_begin.size() - 1;
+  }
   /// number of vertices of face `f`
-  std::size_t degree(std::size_t f) const { return m_face_begin[f + 1] - m_face_begin[f]; }
+  std::size_t degree(std::size_t f) const
+  {
+    return m_face_begin.empty() ? 3 : m_face_begin[f + 1] - m_face_begin[f];
+  }
   /// the `k`-th vertex of face `f`, counterclockwise seen from outside
-  Index vertex(std::size_t f, std::size_t k) const { return m_face_vertices[m_face_begin[f] + k]; }
+  Index vertex(std::size_t f, std::size_t k) const { return m_face_vertices[first_corner(f) + k]; }
+  /// the place of vertex `i` among those of face `f`
+  std::size_t corner(std::size_t f, std::size_t i) const
+  {
+    const Index* const v = m_face_vertices.data() + first_corner(f);
+    if(m_face_begin.empty())
+      return std::size_t(v[1] == i) +
+             2 * std::size_t(v[2] == i); // no branch that is foreseen once in three times
+    return std::size_t(std::find(v, v + degree(f), Index(i)) - v);
+  }
   /// whether all faces are triangles
   bool is_triangle_mesh() const noexcept { return m_is_triangle_mesh; }
   /// the faces at vertex `i` as the range `[first, second)`, in an order that the surface alone determines
@@ -265,13 +368,20 @@ public:
   {
     return {m_incidence.data() + m_incidence_begin[i], m_incidence.data() + m_incidence_begin[i + 1]};
   }
+  /// gives the memory of the faces back: there are none from now on
+  /// \pre the neighbors are known without them
+  void forget_faces()
+  {
+    for(std::vector<Index>* v : {&m_face_begin, &m_face_vertices, &m_incidence_begin, &m_incidence})
+      std::vector<Index>().swap(*v);
+  }
 
   /// @}
 
   /*!
     sets the normals.
 
-    \param normals a normal per vertex, of any length.
+    \param normals a normal per vertex, of any length. Those that are of unit length, up to rounding, keep their bits.
     \param failure what becomes of a sample whose normal is zero or not finite, if nothing else was wrong with it. It is
            nobody's neighbor any more.
   */
@@ -279,14 +389,7 @@ public:
                    Estimation_status failure = Estimation_status::NON_FINITE_INPUT)
   {
     m_normals = std::move(normals);
-    for(std::size_t i = 0; i < size(); ++i)
-    {
-      const double length = internal::length(m_normals[i]);
-      if(length > 0. && std::isfinite(length))
-        m_normals[i] = (m_normals[i] / length).normalized();
-      else if(is_estimated(m_status[i]))
-        m_status[i] = failure;
-    }
+    internal::make_unit(m_normals, m_status, failure);
   }
 
   /// replaces the point of vertex `i`, which keeps its neighbors
@@ -294,6 +397,8 @@ public:
 
 private:
   static constexpr std::size_t s_further_rings = 2; // where the given ones have too few vertices
+  static constexpr std::size_t s_block = 1024;      // of vertices that one thread takes
+  static constexpr std::array<unsigned char, 4> s_next = {1, 2, 0, 1}; // corners of a triangle
 
   static void check_size(std::size_t n)
   {
@@ -314,37 +419,22 @@ private:
     m_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
-  template <typename FaceGraph, typename EdgeRange, typename VertexIndex>
-  void copy_edges(const FaceGraph& mesh, const EdgeRange& edge_range, const VertexIndex& index)
+  // statuses, faces, and what is wanted of the neighbors; `index` numbers the vertices
+  template <typename ConcurrencyTag, typename FaceGraph, typename VertexIndex>
+  void copy_connectivity(const FaceGraph& mesh, const VertexIndex& index, Connectivity connectivity)
   {
-    m_is_border.assign(size(), false);
-    m_adjacency_begin.assign(size() + 1, 0);
-    for(const auto e : edge_range)
-    {
-      const Index a = index(source(e, mesh)), b = index(target(e, mesh));
-      ++m_adjacency_begin[a + 1];
-      ++m_adjacency_begin[b + 1];
-      const auto h = halfedge(e, mesh);
-      if(CGAL::is_border(h, mesh) || CGAL::is_border(opposite(h, mesh), mesh))
-        m_is_border[a] = m_is_border[b] = true;
-    }
-    for(std::size_t i = 0; i < size(); ++i)
-      m_adjacency_begin[i + 1] += m_adjacency_begin[i];
-
-    m_adjacency.resize(m_adjacency_begin.back());
-    std::vector<std::size_t> end(m_adjacency_begin.begin(), m_adjacency_begin.end() - 1);
-    for(const auto e : edge_range)
-    {
-      const Index a = index(source(e, mesh)), b = index(target(e, mesh));
-      m_adjacency[end[a]++] = b;
-      m_adjacency[end[b]++] = a;
-    }
-    // sums over the edges of a vertex don't depend on where the mesh starts to count either
-    for(std::size_t i = 0; i < size(); ++i)
-      std::sort(m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[i]),
-                m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[i + 1]),
-                [&](const Index a, const Index b)
-                { return internal::lexicographically_smaller(m_points[a], m_points[b]); });
+    m_status.assign(size(), Estimation_status::ESTIMATED);
+    for(const auto h : halfedges(mesh))
+      if(CGAL::is_border(h, mesh))
+        m_status[index(target(h, mesh))] = m_status[index(source(h, mesh))] = Estimation_status::BORDER;
+    m_face_vertices.reserve(3 * num_faces(mesh));
+    for(const auto f : faces(mesh))
+      add_face(mesh, f, index);
+    find_incidence<ConcurrencyTag>(connectivity != Connectivity::NEIGHBORS);
+    if(connectivity != Connectivity::FACES)
+      find_adjacency();
+    if(connectivity == Connectivity::NEIGHBORS)
+      forget_faces();
   }
 
   // whether the halfedge `h` of a copied vertex is the one of its face that lists the face: all the vertices of the
@@ -365,14 +455,26 @@ private:
   template <typename FaceGraph, typename Face, typename VertexIndex>
   void add_face(const FaceGraph& mesh, const Face f, const VertexIndex& index)
   {
-    check_size(number_of_faces());
-    for(const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      m_face_vertices.push_back(index(v));
-    m_face_begin.push_back(m_face_vertices.size());
-    if(degree(number_of_faces() - 1) != 3)
+    const std::size_t begin = m_face_vertices.size();
+    const auto start = halfedge(f, mesh);
+    auto h = start;
+    do
+    {
+      m_face_vertices.push_back(index(target(h, mesh)));
+      h = next(h, mesh);
+    } while(h != start);
+    const std::size_t end = m_face_vertices.size();
+    check_size(end);
+    if(end - begin != 3 && m_face_begin.empty())
+    {
       m_is_triangle_mesh = false;
+      for(std::size_t k = 0; k <= begin; k += 3)
+        m_face_begin.push_back(Index(k));
+    }
+    if(!m_face_begin.empty())
+      m_face_begin.push_back(Index(end));
     // The first vertex doesn't depend on where the mesh starts to count.
-    const auto first = m_face_vertices.end() - std::ptrdiff_t(degree(number_of_faces() - 1));
+    const auto first = m_face_vertices.begin() + std::ptrdiff_t(begin);
     std::rotate(first,
                 std::min_element(first, m_face_vertices.end(),
                                  [&](const Index a, const Index b)
@@ -380,43 +482,136 @@ private:
                 m_face_vertices.end());
   }
 
-  void find_status()
-  {
-    m_incidence_begin.assign(size() + 1, 0);
-    for(const Index v : m_face_vertices)
-      ++m_incidence_begin[v + 1];
-    for(std::size_t i = 0; i < size(); ++i)
-      m_incidence_begin[i + 1] += m_incidence_begin[i];
-    m_incidence.resize(m_face_vertices.size());
-    std::vector<std::size_t> end(m_incidence_begin.begin(), m_incidence_begin.end() - 1);
-    for(std::size_t f = 0; f < number_of_faces(); ++f)
-      for(std::size_t k = 0; k < degree(f); ++k)
-        m_incidence[end[vertex(f, k)]++] = Index(f);
-    for(std::size_t i = 0; i < size(); ++i)
-      std::sort(m_incidence.begin() + std::ptrdiff_t(m_incidence_begin[i]),
-                m_incidence.begin() + std::ptrdiff_t(m_incidence_begin[i + 1]),
-                [&](const Index f, const Index g) { return comes_before(f, g); });
+  std::size_t first_corner(std::size_t f) const { return m_face_begin.empty() ? 3 * f : m_face_begin[f]; }
 
-    m_status.assign(size(), Estimation_status::ESTIMATED);
-    std::vector<double> lengths;
+  // the faces at the vertices, sorted if anybody is going to see them, and the statuses that follow
+  template <typename ConcurrencyTag>
+  void find_incidence(bool sorts)
+  {
+    // While faces are entered, the entry after that of vertex `v` is where its next face comes: in the end, where those of
+    // the next vertex begin.
+    m_incidence_begin.assign(size() + 2, 0);
+    for(const Index v : m_face_vertices)
+      ++m_incidence_begin[v + 2];
+    for(std::size_t i = 0; i < size(); ++i)
+      m_incidence_begin[i + 2] += m_incidence_begin[i + 1];
+    m_incidence.resize(m_face_vertices.size());
+    for(std::size_t f = 0, faces = number_of_faces(); f < faces; ++f)
+      for(std::size_t k = first_corner(f), end = k + degree(f); k < end; ++k)
+        m_incidence[m_incidence_begin[m_face_vertices[k] + 1]++] = Index(f);
+    m_incidence_begin.pop_back();
+
+    for_each_sample<ConcurrencyTag, std::vector<Corner> >(
+        size(),
+        [&](const std::size_t i, std::vector<Corner>& corners)
+        {
+          if(sorts)
+            sort_incidence(i, corners);
+          if(m_incidence_begin[i] == m_incidence_begin[i + 1])
+            m_status[i] = Estimation_status::UNREFERENCED;
+          else if(!m_points[i].allFinite())
+            m_status[i] = Estimation_status::NON_FINITE_INPUT;
+        },
+        {}, s_block);
+  }
+
+  // A triangle as it is seen from one of its vertices: the other two, by their x coordinates first.
+  struct Corner
+  {
+    std::array<double, 2> x;
+    std::array<Index, 2> vertices;
+    Index face;
+    bool is_forward; // the smaller vertex comes first, counterclockwise
+  };
+
+  void sort_incidence(std::size_t i, std::vector<Corner>& corners)
+  {
+    const auto begin = m_incidence.begin() + std::ptrdiff_t(m_incidence_begin[i]);
+    const auto end = m_incidence.begin() + std::ptrdiff_t(m_incidence_begin[i + 1]);
+    if(!m_is_triangle_mesh)
+    {
+      std::sort(begin, end, [&](const Index f, const Index g) { return comes_before(f, g); });
+      return;
+    }
+    corners.clear();
+    for(auto f = begin; f != end; ++f)
+    {
+      const std::size_t k = corner(*f, i);
+      Index a = vertex(*f, s_next[k]), b = vertex(*f, s_next[k + 1]);
+      // A point that isn't finite is somewhere at the end. Its faces count for nothing.
+      const auto x = [&](const Index v)
+      { return std::isnan(m_points[v].x()) ? std::numeric_limits<double>::infinity() : m_points[v].x(); };
+      const bool is_forward =
+          x(a) < x(b) || (x(a) == x(b) && !internal::lexicographically_smaller(m_points[b], m_points[a]));
+      if(!is_forward)
+        std::swap(a, b);
+      corners.push_back({{x(a), x(b)}, {a, b}, *f, is_forward});
+    }
+    const auto is_before = [&](const Corner& a, const Corner& b)
+    {
+      if(a.x != b.x)
+        return a.x < b.x;
+      for(std::size_t k = 0; k < 2; ++k)
+      {
+        if(a.vertices[k] == b.vertices[k])
+          continue;
+        const Eigen::Vector3d &p = m_points[a.vertices[k]], &q = m_points[b.vertices[k]];
+        if(internal::lexicographically_smaller(p, q))
+          return true;
+        if(internal::lexicographically_smaller(q, p))
+          return false;
+      }
+      return a.is_forward && !b.is_forward;
+    };
+    std::sort(corners.begin(), corners.end(), is_before);
+    for(std::size_t k = 0; k < corners.size(); ++k)
+      begin[std::ptrdiff_t(k)] = corners[k].face;
+  }
+
+  // the vertices next to each vertex, in no order to rely on
+  void find_adjacency()
+  {
+    m_adjacency_begin.assign(1, 0);
+    m_adjacency_begin.reserve(size() + 1);
+    m_adjacency.reserve(m_face_vertices.size() + m_face_vertices.size() / 64);
+    std::vector<Index> seen(size(), Index(size()));
     for(std::size_t i = 0; i < size(); ++i)
     {
-      if(m_incidence_begin[i] == m_incidence_begin[i + 1])
-        m_status[i] = Estimation_status::UNREFERENCED;
-      else if(!m_points[i].allFinite())
-        m_status[i] = Estimation_status::NON_FINITE_INPUT;
-      else if(m_is_border[i])
-        m_status[i] = Estimation_status::BORDER;
-
-      for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
-        if(m_adjacency[k] > i)
-        {
-          const double length = (m_points[m_adjacency[k]] - m_points[i]).norm();
-          if(std::isfinite(length))
-            lengths.push_back(length);
-        }
+      for_each_vertex_next_to(i,
+                              [&](const Index j)
+                              {
+                                if(seen[j] == i)
+                                  return;
+                                seen[j] = Index(i);
+                                m_adjacency.push_back(j);
+                              });
+      check_size(m_adjacency.size());
+      m_adjacency_begin.push_back(Index(m_adjacency.size()));
     }
-    m_mean_edge_length = internal::mean_of(lengths);
+  }
+
+  // before and after it in each of its faces: twice, but for those on a border
+  template <typename Function>
+  void for_each_vertex_next_to(std::size_t i, const Function& function) const
+  {
+    for(std::size_t k = m_incidence_begin[i]; k < m_incidence_begin[i + 1]; ++k)
+    {
+      const Index f = m_incidence[k];
+      const std::size_t c = corner(f, i), n = degree(f);
+      function(vertex(f, c + 1 == n ? 0 : c + 1));
+      function(vertex(f, c == 0 ? n - 1 : c - 1));
+    }
+  }
+
+  // may come twice
+  template <typename Function>
+  void for_each_adjacent(std::size_t i, const Function& function) const
+  {
+    if(m_adjacency_begin.empty())
+      for_each_vertex_next_to(i, function);
+    else
+      for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
+        function(m_adjacency[k]);
   }
 
   bool comes_before(const Index f, const Index g) const
@@ -456,15 +651,15 @@ private:
   template <typename Predicate>
   void add_adjacent(std::size_t i, Workspace& workspace, const Predicate& accept) const
   {
-    for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
-    {
-      const Index j = m_adjacency[k];
-      if(workspace.m_visited[j] == workspace.m_query)
-        continue;
-      workspace.m_visited[j] = workspace.m_query;
-      if(accept(j))
-        workspace.m_neighbors.push_back(j);
-    }
+    for_each_adjacent(i,
+                      [&](const Index j)
+                      {
+                        if(workspace.m_visited[j] == workspace.m_query)
+                          return;
+                        workspace.m_visited[j] = workspace.m_query;
+                        if(accept(j))
+                          workspace.m_neighbors.push_back(j);
+                      });
   }
 
   void drop_unusable(std::vector<Index>& neighbors) const
@@ -516,13 +711,11 @@ private:
   Neighborhood m_neighborhood;
   std::vector<Eigen::Vector3d> m_points, m_normals;
   std::vector<Estimation_status> m_status;
-  std::vector<bool> m_is_border;
-  std::vector<std::size_t> m_adjacency_begin, m_incidence_begin; // by vertex
-  std::vector<Index> m_adjacency, m_incidence;                   // neighbors and faces of the vertices
-  std::vector<std::size_t> m_face_begin = std::vector<std::size_t>(1, 0);
+  std::vector<Index> m_adjacency_begin, m_incidence_begin; // by vertex; the first may be empty
+  std::vector<Index> m_adjacency, m_incidence;             // neighbors and faces of the vertices
+  std::vector<Index> m_face_begin;                         // empty if all faces are triangles
   std::vector<Index> m_face_vertices;
   bool m_is_triangle_mesh = true;
-  double m_mean_edge_length = 0.;
 };
 
 } // namespace Shape_characteristics

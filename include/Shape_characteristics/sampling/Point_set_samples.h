@@ -2,30 +2,25 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_POINT_SET_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
-#include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
+#include <Shape_characteristics/sampling/internal/Kd_tree.h>
+#include <Shape_characteristics/sampling/internal/make_unit.h>
 #include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
 
-#include <CGAL/Fuzzy_sphere.h>
-#include <CGAL/Kd_tree.h>
-#include <CGAL/Orthogonal_k_neighbor_search.h>
-#include <CGAL/Search_traits_3.h>
-#include <CGAL/Search_traits_adapter.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -36,7 +31,7 @@ namespace Shape_characteristics {
   \ingroup PkgShapeCharacteristicsSampling
 
   holds the points of a range as samples of a surface: points, normals, and the neighbors of each point: the
-  nearest ones, or those within a ball. The search runs on \cgal's kd-tree.
+  nearest ones, or those within a ball. The search runs on a kd-tree.
 
   \cgalModels{SampledSurface}
 */
@@ -49,6 +44,7 @@ public:
   class Workspace
   {
     friend class Point_set_samples;
+    std::vector<std::pair<double, Index> > m_nearest;
     std::vector<Index> m_neighbors;
     internal::Neighbor_order m_order;
   };
@@ -67,23 +63,14 @@ public:
   */
   template <typename PointRange, typename PointMap>
   Point_set_samples(const PointRange& points, const PointMap& point_map, const Neighborhood& neighborhood)
-    : m_neighborhood(neighborhood)
+    : m_neighborhood(checked(neighborhood)),
+      m_points(copy(points, point_map)),
+      m_tree(m_points)
   {
-    if(neighborhood.kind() == Neighborhood::Kind::RINGS)
-      throw std::invalid_argument("Shape_characteristics: number_of_rings needs a mesh; on a point set give "
-                                  "number_of_neighbors or neighbor_radius");
-    for(const auto& item : points)
-    {
-      if(m_points.size() >= (std::numeric_limits<Index>::max)() - 1)
-        throw std::length_error("Shape_characteristics: the point set has too many points");
-      const auto& p = get(point_map, item);
-      m_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
     m_status.assign(size(), Estimation_status::ESTIMATED);
     for(std::size_t i = 0; i < size(); ++i)
       if(!m_points[i].allFinite())
         m_status[i] = Estimation_status::NON_FINITE_INPUT;
-    build_tree();
   }
 
   /// \name Samples
@@ -116,46 +103,65 @@ public:
   {
     std::vector<Index>& neighbors = workspace.m_neighbors;
     neighbors.clear();
-    if(!m_tree || !m_points[i].allFinite())
+    if(!m_tree.contains(i))
       return neighbors;
+    const auto add = [&](const Index j)
+    {
+      if(j != Index(i) && is_usable(j) && m_points[j] != m_points[i])
+        neighbors.push_back(j);
+    };
     if(m_neighborhood.kind() == Neighborhood::Kind::BALL)
-      m_tree->search(std::back_inserter(neighbors),
-                     Fuzzy_sphere(Index(i), m_neighborhood.radius(), 0., m_tree->traits()));
+    {
+      auto in_ball = [&](const Entry& entry) { add(entry.index); };
+      Ball_search<decltype(in_ball)> search{m_neighborhood.radius() * m_neighborhood.radius(), in_ball};
+      m_tree.search(m_tree.point(i), search);
+    }
     else
-      collect_nearest(i, m_neighborhood.count(), neighbors);
-    neighbors.erase(std::remove_if(neighbors.begin(), neighbors.end(),
-                                   [&](const Index j)
-                                   { return j == Index(i) || !is_usable(j) || m_points[j] == m_points[i]; }),
-                    neighbors.end());
-    workspace.m_order.sort(*this, i, neighbors);
+    {
+      workspace.m_nearest.resize((std::min)(m_neighborhood.count(), m_tree.entries().size()));
+      const std::size_t found = collect_nearest(i, workspace.m_nearest.data(), workspace.m_nearest.size());
+      for(std::size_t k = 0; k < found; ++k)
+        add(workspace.m_nearest[k].second);
+    }
+    if(m_neighborhood.kind() == Neighborhood::Kind::BALL || m_has_moved)
+      workspace.m_order.sort(*this, i, neighbors);
     return neighbors;
   }
 
   /// whether other points have the same coordinates as point `i`
   bool has_coincident_points(std::size_t i) const
   {
-    if(!m_tree || !m_points[i].allFinite() || m_tree->size() < 2)
-      return false;
-    const Point_3& p = (*m_tree_points)[i];
-    const K_neighbor_search search(
-        *m_tree, p, 2, 0., true,
-        typename K_neighbor_search::Distance(CGAL::make_property_map(std::as_const(*m_tree_points))), false);
-    return std::all_of(search.begin(), search.end(),
-                       [&](const auto& found) { return (*m_tree_points)[found.first] == p; });
+    bool found = false;
+    if(m_tree.contains(i))
+    {
+      auto is_other = [&](const Entry& entry) { found = found || entry.index != Index(i); };
+      Ball_search<decltype(is_other)> search{0., is_other};
+      m_tree.search(m_tree.point(i), search);
+    }
+    return found;
   }
 
   /// mean distance of point `i` to the (at most) 6 nearest points elsewhere (0 if there is none)
   double spacing(std::size_t i) const
   {
     constexpr std::size_t count = 6; // as many as a vertex of a triangle mesh has neighbors
-    std::vector<Index> nearest;
-    if(m_tree && m_points[i].allFinite())
-      collect_nearest(i, count, nearest);
-    std::vector<double> distances;
-    for(const Index j : nearest)
-      if(const double distance = (m_points[j] - m_points[i]).norm(); std::isfinite(distance))
-        distances.push_back(distance);
-    return internal::mean_of(distances);
+    std::array<Candidate, count> nearest;
+    std::array<double, count> distances;
+    std::size_t number = 0;
+    if(m_tree.contains(i))
+      for(std::size_t j = 0, found = collect_nearest(i, nearest.data(), count); j < found; ++j)
+        if(const double d = (m_points[nearest[j].second] - m_points[i]).norm(); std::isfinite(d))
+        {
+          // in ascending order, whatever the points' own: the sum then has the same bits
+          std::size_t k = number++;
+          for(; k > 0 && d < distances[k - 1]; --k)
+            distances[k] = distances[k - 1];
+          distances[k] = d;
+        }
+    double sum = 0.;
+    for(std::size_t k = 0; k < number; ++k)
+      sum += distances[k] / double(number);
+    return sum;
   }
 
   /// mean of `spacing()` over (at most) 1000 points spread evenly over the range
@@ -172,12 +178,30 @@ public:
   /// what the neighbors are
   const Neighborhood& neighborhood() const noexcept { return m_neighborhood; }
 
+  /*!
+    returns all points in an order in which neighbors are mostly close to each other, so that blocks of it, of whatever
+    size, are compact: that of the leaves of the search tree. Points that are not finite come last.
+
+    Complexity: linear in the number of points.
+  */
+  std::vector<Index> traversal_order(std::size_t /*patch_size*/ = 2000) const
+  {
+    std::vector<Index> order;
+    order.reserve(size());
+    for(const Entry& entry : m_tree.entries())
+      order.push_back(entry.index);
+    for(std::size_t i = 0; i < size(); ++i)
+      if(!m_tree.contains(i))
+        order.push_back(Index(i));
+    return order;
+  }
+
   /// @}
 
   /*!
     sets the normals.
 
-    \param normals a normal per point, of any length.
+    \param normals a normal per point, of any length. Those that are of unit length, up to rounding, keep their bits.
     \param failure what becomes of a sample whose normal is zero or not finite, if nothing else was wrong with it. It is
            nobody's neighbor any more.
   */
@@ -185,93 +209,110 @@ public:
                    Estimation_status failure = Estimation_status::NON_FINITE_INPUT)
   {
     m_normals = std::move(normals);
-    for(std::size_t i = 0; i < size(); ++i)
-    {
-      const double length = internal::length(m_normals[i]);
-      if(length > 0. && std::isfinite(length))
-        m_normals[i] = (m_normals[i] / length).normalized();
-      else if(is_estimated(m_status[i]))
-        m_status[i] = failure;
-    }
+    internal::make_unit(m_normals, m_status, failure);
   }
 
   /// replaces point `i` in what `point()` returns; the search goes on with the point given at construction
-  void set_point(std::size_t i, const Eigen::Vector3d& point) { m_points[i] = point; }
-
-private:
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Point_3 = Kernel::Point_3;
-  using Tree_points = CGAL::Pointer_property_map<Point_3>::const_type;
-  using Search_traits = CGAL::Search_traits_adapter<Index, Tree_points, CGAL::Search_traits_3<Kernel> >;
-  using K_neighbor_search = CGAL::Orthogonal_k_neighbor_search<Search_traits>;
-  using Tree = typename K_neighbor_search::Tree;
-  using Fuzzy_sphere = CGAL::Fuzzy_sphere<Search_traits>;
-
-  void build_tree()
+  void set_point(std::size_t i, const Eigen::Vector3d& point)
   {
-    std::vector<Index> finite;
-    m_tree_points = std::make_unique<std::vector<Point_3> >();
-    m_tree_points->reserve(size());
-    for(std::size_t i = 0; i < size(); ++i)
-    {
-      m_tree_points->emplace_back(m_points[i].x(), m_points[i].y(), m_points[i].z());
-      if(m_points[i].allFinite())
-        finite.push_back(Index(i));
-    }
-    if(finite.empty())
-      return;
-    const Tree_points map = CGAL::make_property_map(std::as_const(*m_tree_points));
-    m_tree =
-        std::make_unique<Tree>(finite.begin(), finite.end(), typename Tree::Splitter(), Search_traits(map));
-    m_tree->build(); // a const query must not build it
+    m_points[i] = point;
+    m_has_moved = true;
   }
 
-  // The `count` points elsewhere that are nearest to point `i`, nearest first. Of equally far ones the order of coordinates
-  // (and normals) chooses: the tree alone would leave it to the order of the input.
-  void collect_nearest(std::size_t i, std::size_t count, std::vector<Index>& nearest) const
+private:
+  using Entry = internal::Kd_tree::Entry;
+  using Candidate = std::pair<double, Index>; // squared distance and point
+
+  static const Neighborhood& checked(const Neighborhood& neighborhood)
   {
-    // Coincident points are not neighbors: where there are any, more points are asked for, and so are they where more
-    // than `count` may be meant, up to a limit that keeps thousands of copies of a point affordable.
-    std::vector<std::pair<double, Index> > elsewhere;
-    const std::size_t available = m_tree->size();
-    const std::size_t limit = 64 * (count / 64 < available ? count + 1 : available);
-    for(std::size_t k = count < available ? (std::min)(count + 2, available) : available;;
-        k = (std::min)(2 * k, available))
+    if(neighborhood.kind() == Neighborhood::Kind::RINGS)
+      throw std::invalid_argument("Shape_characteristics: number_of_rings needs a mesh; on a point set give "
+                                  "number_of_neighbors or neighbor_radius");
+    return neighborhood;
+  }
+
+  template <typename PointRange, typename PointMap>
+  static std::vector<Eigen::Vector3d> copy(const PointRange& points, const PointMap& point_map)
+  {
+    std::vector<Eigen::Vector3d> result;
+    result.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
+    for(const auto& item : points)
     {
-      K_neighbor_search search(
-          *m_tree, (*m_tree_points)[i], static_cast<unsigned int>(k), 0., true,
-          typename K_neighbor_search::Distance(CGAL::make_property_map(std::as_const(*m_tree_points))),
-          false);
-      elsewhere.clear();
-      for(const auto& found : search)
-        if((*m_tree_points)[found.first] != (*m_tree_points)[i])
-          elsewhere.emplace_back(found.second, found.first);
-      std::sort(elsewhere.begin(), elsewhere.end(),
-                [&](const auto& a, const auto& b)
-                { return a.first != b.first ? a.first < b.first : comes_before(a.second, b.second); });
-      if(k == available || k > limit ||
-         (elsewhere.size() > count && elsewhere[count - 1].first < elsewhere.back().first))
-        break;
+      if(result.size() >= (std::numeric_limits<Index>::max)() - 1)
+        throw std::length_error("Shape_characteristics: the point set has too many points");
+      const auto& p = get(point_map, item);
+      result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
     }
-    elsewhere.resize((std::min)(elsewhere.size(), count));
-    nearest.clear();
-    for(const auto& found : elsewhere)
-      nearest.push_back(found.second);
+    return result;
+  }
+
+  template <typename Function>
+  struct Ball_search
+  {
+    double radius; // squared
+    const Function& function;
+
+    double squared_radius() const { return radius; }
+    void operator()(const Entry& entry, double squared_distance) const
+    {
+      if(squared_distance <= radius)
+        function(entry);
+    }
+  };
+
+  // The nearest points elsewhere, nearest first. Of equally far ones the order of coordinates (and normals) chooses: the tree
+  // alone would leave it to the order of the input.
+  struct Nearest_search
+  {
+    const Point_set_samples& samples;
+    const Eigen::Vector3d& center;
+    Candidate* nearest;
+    std::size_t capacity, size;
+
+    double squared_radius() const
+    {
+      return size < capacity ? std::numeric_limits<double>::infinity() : nearest[capacity - 1].first;
+    }
+    void operator()(const Entry& entry, double squared_distance)
+    {
+      if(squared_distance > squared_radius() || entry.point == center)
+        return;
+      const Candidate candidate(squared_distance, entry.index);
+      if(size < capacity)
+        ++size;
+      else if(!is_before(candidate, nearest[capacity - 1]))
+        return;
+      std::size_t k = size - 1;
+      for(; k > 0 && is_before(candidate, nearest[k - 1]); --k)
+        nearest[k] = nearest[k - 1];
+      nearest[k] = candidate;
+    }
+    bool is_before(const Candidate& a, const Candidate& b) const
+    {
+      return a.first != b.first ? a.first < b.first : samples.comes_before(a.second, b.second);
+    }
+  };
+
+  // returns how many there are, at most `count`
+  std::size_t collect_nearest(std::size_t i, Candidate* nearest, std::size_t count) const
+  {
+    Nearest_search search{*this, m_tree.point(i), nearest, count, 0};
+    m_tree.search(search.center, search);
+    return search.size;
   }
 
   bool comes_before(const Index a, const Index b) const
   {
-    const Point_3 &p = (*m_tree_points)[a], &q = (*m_tree_points)[b];
-    if(p != q || !has_normals())
-      return CGAL::lexicographically_xyz_smaller(p, q);
+    if(m_tree.point(a) != m_tree.point(b) || !has_normals())
+      return internal::lexicographically_smaller(m_tree.point(a), m_tree.point(b));
     return internal::lexicographically_smaller(m_normals[a], m_normals[b]);
   }
 
   Neighborhood m_neighborhood;
   std::vector<Eigen::Vector3d> m_points, m_normals;
   std::vector<Estimation_status> m_status;
-  std::unique_ptr<std::vector<Point_3> > m_tree_points; // at a fixed place: the tree refers to it
-  std::unique_ptr<Tree> m_tree;
+  internal::Kd_tree m_tree; // of the points given at construction
+  bool m_has_moved = false; // from them
 };
 
 } // namespace Shape_characteristics

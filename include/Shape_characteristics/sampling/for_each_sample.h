@@ -41,6 +41,45 @@ private:
   std::vector<std::unique_ptr<Workspace> > m_free;
 };
 
+// The same as the public one for `i` in `[first, last)`, with workspaces that outlive it.
+template <typename ConcurrencyTag, typename Workspace, typename Function>
+bool for_each_sample_between(Workspace_pool<Workspace>& pool,
+                             std::size_t first,
+                             std::size_t last,
+                             const Function& function,
+                             const std::function<bool(double)>& callback,
+                             std::size_t block_size)
+{
+  std::vector<std::size_t> blocks((last - first + block_size - 1) / block_size);
+  for(std::size_t b = 0; b < blocks.size(); ++b)
+    blocks[b] = first + b * block_size;
+
+  std::mutex callback_mutex;
+  std::size_t done = 0;
+  std::atomic<bool> go_on{true};
+
+  CGAL::for_each<ConcurrencyTag>(blocks,
+                                 [&](const std::size_t begin)
+                                 {
+                                   if(!go_on.load(std::memory_order_relaxed))
+                                     return false;
+                                   const std::size_t end = (std::min)(begin + block_size, last);
+                                   std::unique_ptr<Workspace> workspace = pool.acquire();
+                                   for(std::size_t i = begin; i < end; ++i)
+                                     function(i, *workspace);
+                                   pool.release(std::move(workspace));
+                                   if(callback)
+                                   {
+                                     const std::lock_guard<std::mutex> lock(callback_mutex);
+                                     done += end - begin;
+                                     if(go_on && !callback(double(done) / double(last - first)))
+                                       go_on = false;
+                                   }
+                                   return true;
+                                 });
+  return go_on;
+}
+
 } // namespace internal
 
 /*!
@@ -59,46 +98,19 @@ private:
   \param function what to do
   \param callback called with the advancement in `[0, 1]`, by one thread at a time and with increasing values;
          if it returns `false`, the samples not yet begun are left out. May be empty.
+  \param block_size the number of samples that one thread visits in a row: small enough to share the work evenly and to
+         report progress, large enough to make the bookkeeping free
 
   \return whether all samples were visited
 */
 template <typename ConcurrencyTag, typename Workspace, typename Function>
 bool for_each_sample(std::size_t size,
                      const Function& function,
-                     const std::function<bool(double)>& callback = std::function<bool(double)>())
+                     const std::function<bool(double)>& callback = std::function<bool(double)>(),
+                     std::size_t block_size = 128)
 {
-  // small enough to share the work evenly and to report progress, large enough to make the bookkeeping free
-  constexpr std::size_t block_size = 128;
-
-  std::vector<std::size_t> blocks((size + block_size - 1) / block_size);
-  for(std::size_t b = 0; b < blocks.size(); ++b)
-    blocks[b] = b * block_size;
-
   internal::Workspace_pool<Workspace> pool;
-  std::mutex callback_mutex;
-  std::size_t done = 0;
-  std::atomic<bool> go_on{true};
-
-  CGAL::for_each<ConcurrencyTag>(blocks,
-                                 [&](const std::size_t begin)
-                                 {
-                                   if(!go_on.load(std::memory_order_relaxed))
-                                     return false;
-                                   const std::size_t end = (std::min)(begin + block_size, size);
-                                   std::unique_ptr<Workspace> workspace = pool.acquire();
-                                   for(std::size_t i = begin; i < end; ++i)
-                                     function(i, *workspace);
-                                   pool.release(std::move(workspace));
-                                   if(callback)
-                                   {
-                                     const std::lock_guard<std::mutex> lock(callback_mutex);
-                                     done += end - begin;
-                                     if(go_on && !callback(double(done) / double(size)))
-                                       go_on = false;
-                                   }
-                                   return true;
-                                 });
-  return go_on;
+  return internal::for_each_sample_between<ConcurrencyTag>(pool, 0, size, function, callback, block_size);
 }
 
 } // namespace Shape_characteristics

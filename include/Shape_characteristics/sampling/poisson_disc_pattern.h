@@ -12,6 +12,15 @@
 #include <vector>
 
 namespace Shape_characteristics {
+namespace internal {
+
+inline void check_sampling_distance(double distance)
+{
+  if(!(distance > 0. && distance <= 1.))
+    throw std::invalid_argument("Shape_characteristics: sampling_distance must be in (0, 1]");
+}
+
+} // namespace internal
 
 /*!
   \ingroup PkgShapeCharacteristicsSampling
@@ -29,8 +38,7 @@ namespace Shape_characteristics {
 */
 inline std::vector<Eigen::Vector2d> poisson_disc_pattern(double distance = 0.3, std::uint64_t random_seed = 4)
 {
-  if(!(distance > 0. && distance <= 1.))
-    throw std::invalid_argument("Shape_characteristics: sampling_distance must be in (0, 1]");
+  internal::check_sampling_distance(distance);
 
   // Packed in a square and then cut out: packed in the disc, points would gather along its rim.
   const double half = 1. + 2. * distance;

@@ -44,11 +44,47 @@ inline Rounded_vector doubled_area_vector(const Face_graph_samples& samples, std
   return area;
 }
 
+// The same as `weighted_normal()` with Max's weights, without a square root, where it is plain that all the faces at the
+// vertex and their sum are far from rounding errors, and that no product leaves the range of numbers. False elsewhere.
+inline bool plain_max_normal(const Face_graph_samples& samples, std::size_t vertex, Eigen::Vector3d& normal)
+{
+  // Bounds of squares: (a + b)^2 <= 2 a^2 + 2 b^2, and the square of a sum of n errors <= n times that of their squares.
+  constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
+  constexpr double smallest = 1e-140, largest = 1e140;
+  const Eigen::Vector3d& p = samples.point(vertex);
+  const double magnitude = p.lpNorm<Eigen::Infinity>();
+  const double factor = 2. * rounding * rounding, position = 2. * magnitude * magnitude;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double error = 0.;
+  const auto [begin, end] = samples.incident_faces(vertex);
+  for(const auto* f = begin; f != end; ++f)
+  {
+    const std::size_t n = samples.degree(*f), corner = samples.corner(*f, vertex);
+    const Eigen::Vector3d to_next = samples.point(samples.vertex(*f, corner + 1 == n ? 0 : corner + 1)) - p;
+    const Eigen::Vector3d to_previous =
+        samples.point(samples.vertex(*f, corner == 0 ? n - 1 : corner - 1)) - p;
+    const double next_square = to_next.squaredNorm(), previous_square = to_previous.squaredNorm();
+    const double product = next_square * previous_square;
+    const Eigen::Vector3d cross = to_next.cross(to_previous);
+    const double bound = factor * (product + position * (next_square + previous_square));
+    if(!(cross.squaredNorm() > bound && product > smallest && product < largest))
+      return false;
+    const double weight = 1. / product;
+    sum += weight * cross;
+    error += weight * weight * bound;
+  }
+  normal = sum;
+  return sum.squaredNorm() > double(end - begin) * error;
+}
+
 // The sum of the weighted face normals at a vertex: zero where none of its faces has a normal, or they cancel.
 // Faces with points that are not finite count for nothing.
 inline Eigen::Vector3d
 weighted_normal(const Face_graph_samples& samples, std::size_t vertex, Normal_weighting weighting)
 {
+  if(Eigen::Vector3d normal; weighting == Normal_weighting::MAX && plain_max_normal(samples, vertex, normal))
+    return normal;
+
   constexpr double rounding = 4. * std::numeric_limits<double>::epsilon();
   const Eigen::Vector3d& p = samples.point(vertex);
   const double magnitude = p.lpNorm<Eigen::Infinity>();
@@ -56,10 +92,7 @@ weighted_normal(const Face_graph_samples& samples, std::size_t vertex, Normal_we
   const auto [begin, end] = samples.incident_faces(vertex);
   for(const auto* f = begin; f != end; ++f)
   {
-    const std::size_t n = samples.degree(*f);
-    std::size_t corner = 0;
-    while(samples.vertex(*f, corner) != vertex)
-      ++corner;
+    const std::size_t n = samples.degree(*f), corner = samples.corner(*f, vertex);
     const Eigen::Vector3d to_next = samples.point(samples.vertex(*f, (corner + 1) % n)) - p;
     const Eigen::Vector3d to_previous = samples.point(samples.vertex(*f, (corner + n - 1) % n)) - p;
     const double next_length = length(to_next), previous_length = length(to_previous);

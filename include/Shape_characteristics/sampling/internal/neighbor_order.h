@@ -6,8 +6,10 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -23,25 +25,65 @@ public:
   void sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors)
   {
     const Eigen::Vector3d& p = samples.point(center);
-    m_keys.clear();
-    for(const std::uint32_t j : neighbors)
-      m_keys.emplace_back((samples.point(j) - p).squaredNorm(), j);
-    std::sort(m_keys.begin(), m_keys.end(),
-              [&](const Key& a, const Key& b)
-              {
-                if(a.first != b.first)
-                  return a.first < b.first;
-                if(samples.point(a.second) != samples.point(b.second) || !samples.has_normals())
-                  return lexicographically_smaller(samples.point(a.second), samples.point(b.second));
-                return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
-              });
-    for(std::size_t k = 0; k < neighbors.size(); ++k)
-      neighbors[k] = m_keys[k].second;
+    const std::size_t n = neighbors.size();
+    m_distances.resize(n);
+    for(std::size_t k = 0; k < n; ++k)
+      m_distances[k] = {(samples.point(neighbors[k]) - p).squaredNorm(), neighbors[k]};
+    const auto is_before = [&](const Key& a, const Key& b)
+    {
+      if(a.first != b.first)
+        return a.first < b.first;
+      if(samples.point(a.second) != samples.point(b.second) || !samples.has_normals())
+        return lexicographically_smaller(samples.point(a.second), samples.point(b.second));
+      return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
+    };
+    if(n <= s_most_ranked)
+      sort_few(is_before);
+    else
+      std::sort(m_distances.begin(), m_distances.end(), is_before);
+    for(std::size_t k = 0; k < n; ++k)
+      neighbors[k] = m_distances[k].second;
   }
 
 private:
   using Key = std::pair<double, std::uint32_t>;
-  std::vector<Key> m_keys;
+  static constexpr int s_index_bits = 6;
+  static constexpr std::size_t s_most_ranked = std::size_t(1) << s_index_bits;
+
+  // Counts for each how many come before it, by the leading bits of the distance and the place: more comparisons than sorting
+  // takes, but none of them is a branch to be foreseen. What that leaves undecided is sorted by all there is.
+  template <typename Is_before>
+  void sort_few(const Is_before& is_before)
+  {
+    const std::size_t n = m_distances.size();
+    std::array<std::int32_t, s_most_ranked> leading, in_order;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      std::uint64_t bits; // in the order of the numbers, as none is negative
+      std::memcpy(&bits, &m_distances[k].first, sizeof(bits));
+      leading[k] = std::int32_t(bits >> (32 + s_index_bits) << s_index_bits | k);
+    }
+    m_sorted.resize(n);
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      std::int32_t rank = 0;
+      for(std::size_t k = 0; k < n; ++k)
+        rank += leading[k] < leading[i];
+      m_sorted[std::size_t(rank)] = m_distances[i];
+      in_order[std::size_t(rank)] = leading[i] >> s_index_bits;
+    }
+    m_distances.swap(m_sorted);
+    for(std::size_t begin = 0, end; begin < n; begin = end)
+    {
+      for(end = begin + 1; end < n && in_order[end] == in_order[begin];)
+        ++end;
+      if(end - begin > 1)
+        std::sort(m_distances.begin() + std::ptrdiff_t(begin), m_distances.begin() + std::ptrdiff_t(end),
+                  is_before);
+    }
+  }
+
+  std::vector<Key> m_distances, m_sorted;
 };
 
 } // namespace internal

@@ -1,0 +1,136 @@
+#ifndef SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
+#define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// The finite ones of some points, in an order in which those of each box of a kd-tree are in a row. In contrast to CGAL's
+// tree it holds them by value in that order, a query allocates nothing, and the visitor decides which of equally far
+// points it takes.
+class Kd_tree
+{
+public:
+  struct Entry
+  {
+    Eigen::Vector3d point;
+    std::uint32_t index;
+  };
+
+  explicit Kd_tree(const std::vector<Eigen::Vector3d>& points)
+  {
+    m_entries.reserve(points.size());
+    for(std::size_t i = 0; i < points.size(); ++i)
+      if(points[i].allFinite())
+        m_entries.push_back({points[i], std::uint32_t(i)});
+    std::size_t number_of_leaves = 1;
+    while(number_of_leaves * s_leaf_size < m_entries.size())
+      number_of_leaves *= 2;
+    m_nodes.resize(2 * number_of_leaves);
+    build(1, 0, m_entries.size());
+    m_place.assign(points.size(), s_none);
+    for(std::size_t k = 0; k < m_entries.size(); ++k)
+      m_place[m_entries[k].index] = std::uint32_t(k);
+  }
+
+  const std::vector<Entry>& entries() const noexcept { return m_entries; }
+  // whether point `i` is finite
+  bool contains(std::size_t i) const { return m_place[i] != s_none; }
+  // point `i`, which must be finite
+  const Eigen::Vector3d& point(std::size_t i) const { return m_entries[m_place[i]].point; }
+
+  // Calls `visitor(entry, squared_distance)` for all points that aren't farther from `q` than `visitor.squared_radius()`,
+  // which may shrink meanwhile, and for some that are. Those near the point come first.
+  template <typename Visitor>
+  void search(const Eigen::Vector3d& q, Visitor& visitor) const
+  {
+    search(1, 0, m_entries.size(), q, Eigen::Vector3d::Zero(), visitor);
+  }
+
+private:
+  static constexpr std::size_t s_leaf_size = 12;
+  static constexpr std::uint32_t s_none = (std::numeric_limits<std::uint32_t>::max)();
+
+  struct Node
+  {
+    double below = 0., above = 0.; // the largest coordinate in the first half and the smallest in the second
+    int dimension = -1;            // of the coordinate; none if the node is a leaf
+  };
+
+  // node `i` has the children `2 i` and `2 i + 1`, with half of its points each
+  void build(std::size_t node, std::size_t begin, std::size_t end)
+  {
+    if(end - begin <= s_leaf_size)
+      return;
+    Eigen::Vector3d lowest = m_entries[begin].point, highest = lowest;
+    for(std::size_t k = begin + 1; k < end; ++k)
+    {
+      lowest = lowest.cwiseMin(m_entries[k].point);
+      highest = highest.cwiseMax(m_entries[k].point);
+    }
+    Eigen::Index dimension;
+    if(!((highest - lowest).maxCoeff(&dimension) > 0.)) // copies of one point, in whatever number, are a leaf
+      return;
+    const std::size_t middle = begin + (end - begin) / 2;
+    const auto at = [&](const std::size_t k) { return m_entries.begin() + std::ptrdiff_t(k); };
+    const auto is_before = [&](const Entry& a, const Entry& b)
+    { return a.point[dimension] < b.point[dimension]; };
+    std::nth_element(at(begin), at(middle), at(end), is_before);
+    m_nodes[node] = {std::max_element(at(begin), at(middle), is_before)->point[dimension],
+                     m_entries[middle].point[dimension], int(dimension)};
+    build(2 * node, begin, middle);
+    build(2 * node + 1, middle, end);
+  }
+
+  // `offset`: of the box of the node from `q`, by coordinates
+  template <typename Visitor>
+  void search(std::size_t node,
+              std::size_t begin,
+              std::size_t end,
+              const Eigen::Vector3d& q,
+              const Eigen::Vector3d& offset,
+              Visitor& visitor) const
+  {
+    const Node& n = m_nodes[node];
+    if(n.dimension < 0)
+    {
+      for(std::size_t k = begin; k < end; ++k)
+        visitor(m_entries[k], (m_entries[k].point - q).squaredNorm());
+      return;
+    }
+    const std::size_t middle = begin + (end - begin) / 2;
+    const double to_below = q[n.dimension] - n.below, to_above = n.above - q[n.dimension];
+    const bool below_first = to_below < to_above;
+    if(below_first)
+      search(2 * node, begin, middle, q, offset, visitor);
+    else
+      search(2 * node + 1, middle, end, q, offset, visitor);
+
+    Eigen::Vector3d far_offset = offset;
+    far_offset[n.dimension] = (std::max)(offset[n.dimension], below_first ? to_above : to_below);
+    // none is left out because of rounding
+    constexpr double shrinkage = 1. - 1e-12;
+    if(shrinkage * far_offset.squaredNorm() > visitor.squared_radius())
+      return;
+    if(below_first)
+      search(2 * node + 1, middle, end, q, far_offset, visitor);
+    else
+      search(2 * node, begin, middle, q, far_offset, visitor);
+  }
+
+  std::vector<Entry> m_entries;
+  std::vector<std::uint32_t> m_place; // of the points among the entries
+  std::vector<Node> m_nodes;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
