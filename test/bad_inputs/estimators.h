@@ -17,6 +17,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -72,6 +73,9 @@ struct Estimator
   bool gives_curvatures = true; // or normals
   // The overload for one vertex knows all that has a say: neither a level of noise nor a mean edge length of the whole.
   bool is_local = true;
+  // How much it matters, in units of the largest curvature (or of the normal), which samples have a fit of their own and
+  // which are served by that of another: other input far away may change it. 0: it is always the same.
+  double difference_of_fits = 0.;
   // It averages over a pattern, whose radius is the mean edge length of the whole, and which doesn't turn with the input.
   bool has_pattern = false;
   // There is a bound on curvature times size of the neighborhood, for every input.
@@ -299,16 +303,29 @@ std::vector<Estimator<Input>> estimators()
   const auto defaults = [](const auto& np, const auto&) { return np; };
 
   internal::List<Input> list;
+  for(const bool shared : {true, false})
   {
-    Estimator<Input>& e = list.add_curvatures("hrbf", hrbf, defaults);
-    e.is_local = false; // the level of noise is that of the whole
-    e.accuracy = .002;
+    Estimator<Input>& e =
+        shared ? list.add_curvatures("hrbf", hrbf, defaults)
+               : list.add_curvatures("hrbf, a fit each", hrbf,
+                                     [](const auto& np, const auto&) { return np.fits_are_shared(false); });
+    e.is_local = false;                       // the level of noise is that of the whole
+    e.difference_of_fits = shared ? .35 : 0.; // the surfaces are coarse
+    e.accuracy = shared ? .004 : .002;
     e.reproducibility = 1e-4; // of points without noise; a larger level of noise gives smaller weights
   }
+  for(const bool shared : {true, false})
   {
-    Estimator<Input>& e = list.add_curvatures(
-        "hrbf, exact normals", hrbf, [](const auto& np, const auto&) { return np.normals_are_exact(true); });
-    e.accuracy = .15;         // normals of faces aren't exact
+    Estimator<Input>& e =
+        shared ? list.add_curvatures("hrbf, exact normals", hrbf,
+                                     [](const auto& np, const auto&) { return np.normals_are_exact(true); })
+               : list.add_curvatures("hrbf, exact normals, a fit each", hrbf,
+                                     [](const auto& np, const auto&)
+                                     { return np.normals_are_exact(true).fits_are_shared(false); });
+    e.is_local = !shared;
+    e.difference_of_fits =
+        shared ? std::numeric_limits<double>::infinity() : 0.; // normals of faces aren't exact
+    e.accuracy = shared ? .35 : .15;
     e.reproducibility = 1e-4; // and give its flat functions large weights
   }
   {
@@ -351,7 +368,11 @@ std::vector<Estimator<Input>> estimators()
       e.accuracy = .05;
     }
   }
-  list.add_normals("hrbf_normals", normals, defaults).is_local = false;
+  {
+    Estimator<Input>& e = list.add_normals("hrbf_normals", normals, defaults);
+    e.is_local = false;
+    e.difference_of_fits = .05;
+  }
   return list.estimators();
 }
 
@@ -369,6 +390,22 @@ inline bool same(const Estimate& a, const Estimate& b)
     return false;
   for(std::size_t i = 0; i < a.values.size(); ++i)
     if(!same(a.values[i], b.values[i]))
+      return false;
+  return true;
+}
+
+// the same to the last bit, or to what other fits make of it
+template <typename Input>
+bool same_but_for_fits(const Estimator<Input>& estimator, const Estimate& a, const Estimate& b)
+{
+  if(estimator.difference_of_fits == 0. || !SC::is_estimated(a.status) || a.values.size() != b.values.size())
+    return same(a, b);
+  if(a.status != b.status)
+    return false;
+  const std::size_t numbers = estimator.gives_curvatures ? 2 : 3;
+  const double unit = estimator.gives_curvatures ? std::max(std::abs(a.k_min()), std::abs(a.k_max())) : 0.;
+  for(std::size_t i = 0; i < numbers; ++i)
+    if(!(std::abs(a.values[i] - b.values[i]) <= estimator.difference_of_fits * std::max(unit, 1.)))
       return false;
   return true;
 }

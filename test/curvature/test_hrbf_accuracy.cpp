@@ -21,11 +21,20 @@ using namespace estimator_checks;
 
 namespace {
 
-const Hrbf by_default{[](const auto& np) { return np.number_of_rings(2u); }};
-const Hrbf three_rings{[](const auto& np) { return np.number_of_rings(3u); }};
-const Hrbf exact{[](const auto& np) { return np.normals_are_exact(true); }};
-const Hrbf exact_one_ring{[](const auto& np) { return np.normals_are_exact(true).number_of_rings(1u); }};
-const Hrbf exact_three_rings{[](const auto& np) { return np.normals_are_exact(true).number_of_rings(3u); }};
+// with a fit for each vertex; shared fits have a test of their own
+const Hrbf by_default{[](const auto& np) { return np.fits_are_shared(false).number_of_rings(2u); }};
+const Hrbf three_rings{[](const auto& np) { return np.fits_are_shared(false).number_of_rings(3u); }};
+const Hrbf exact{[](const auto& np) { return np.fits_are_shared(false).normals_are_exact(true); }};
+const Hrbf exact_one_ring{[](const auto& np)
+                          { return np.fits_are_shared(false).normals_are_exact(true).number_of_rings(1u); }};
+const Hrbf exact_three_rings{
+    [](const auto& np) { return np.fits_are_shared(false).normals_are_exact(true).number_of_rings(3u); }};
+const Hrbf shared_by_default{[](const auto& np) { return np.number_of_rings(2u); }};
+const Hrbf shared_exact{[](const auto& np) { return np.normals_are_exact(true); }};
+const Hrbf shared_exact_one_ring{[](const auto& np)
+                                 { return np.normals_are_exact(true).number_of_rings(1u); }};
+const Hrbf shared_exact_three_rings{[](const auto& np)
+                                    { return np.normals_are_exact(true).number_of_rings(3u); }};
 const Hrbf cubic_exact{[](const auto& np)
                        { return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<3>()); }};
 const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyharmonic<3>()); }};
@@ -114,6 +123,39 @@ BOOST_AUTO_TEST_CASE(estimated_normals)
 {
   check("default", by_default, Normals::ESTIMATED, 3., 2e-3, {{"torus", 5e-3}, {"plane", 1e-12}});
   check("default, 3 rings", three_rings, Normals::ESTIMATED, 3., 3e-4, {{"torus", 8e-4}, {"plane", 1e-12}});
+}
+
+// A vertex near the center of another's fit is served by it: not quite as well as by its own.
+BOOST_AUTO_TEST_CASE(shared_fits)
+{
+  check("shared, exact", shared_exact, Normals::EXACT, .5, 4.5e-4, {{"cone", .05}, {"plane", 1e-12}});
+  check("shared, exact, 3 rings", shared_exact_three_rings, Normals::EXACT, .5, 2e-4,
+        {{"cone", .05}, {"plane", 1e-12}});
+  check("shared, default", shared_by_default, Normals::ESTIMATED, 3., .01,
+        {{"torus", .025}, {"plane", 1e-12}});
+  // Neighborhoods of one ring are too small to serve others.
+  const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 5);
+  BOOST_TEST(
+      same_bits(run(exact_one_ring, s, Normals::EXACT), run(shared_exact_one_ring, s, Normals::EXACT)));
+
+  // The mean error is at most some times that of a fit for each vertex.
+  for(const Normals normals : {Normals::EXACT, Normals::ESTIMATED})
+    for(const Analytic_surface& surface :
+        {s, test_support::waves(.1, 4., 1., 32, .2, 7), test_support::ellipsoid(1., .8, .6, 4, .2, 5)})
+    {
+      const bool exactly = normals == Normals::EXACT;
+      const double own =
+          errors(surface, exactly ? run(exact, surface, normals) : run(by_default, surface, normals), 3.)
+              .mean;
+      const double shared =
+          errors(surface,
+                 exactly ? run(shared_exact, surface, normals) : run(shared_by_default, surface, normals), 3.)
+              .mean;
+      BOOST_TEST_MESSAGE(surface.name << (exactly ? ", exact" : ", estimated") << " normals: mean error "
+                                      << own << ", with shared fits " << shared);
+      BOOST_TEST(shared < 3. * own);
+      BOOST_TEST(shared != own); // they are shared
+    }
 }
 
 BOOST_AUTO_TEST_CASE(formulation_of_the_thesis)

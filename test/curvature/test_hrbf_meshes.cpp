@@ -27,8 +27,12 @@ namespace {
 // compared that see different surroundings.
 const Hrbf by_default{[](const auto& np) { return np.number_of_rings(2u); }};
 const Hrbf exact{[](const auto& np) { return np.normals_are_exact(true); }};
-const Hrbf in_ball{[](const auto& np) { return np.normals_are_exact(true).neighbor_radius(.5); }};
+const Hrbf exact_own{[](const auto& np) { return np.normals_are_exact(true).fits_are_shared(false); }};
+const Hrbf in_ball{[](const auto& np)
+                   { return np.normals_are_exact(true).fits_are_shared(false).neighbor_radius(.5); }};
 const Hrbf with_level{[](const auto& np) { return np.noise_level(1e-3).number_of_passes(2u); }};
+const Hrbf with_level_own{[](const auto& np)
+                          { return np.noise_level(1e-3).number_of_passes(2u).fits_are_shared(false); }};
 const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyharmonic<3>()); }};
 
 const Hrbf cubic_exact{[](const auto& np)
@@ -159,8 +163,8 @@ BOOST_AUTO_TEST_CASE(flip)
 
 BOOST_AUTO_TEST_CASE(permutation)
 {
-  check_permutation(exact);
-  check_permutation(with_level);
+  check_permutation(exact_own);
+  check_permutation(with_level_own);
 }
 
 BOOST_AUTO_TEST_CASE(mesh_types)
@@ -171,9 +175,9 @@ BOOST_AUTO_TEST_CASE(mesh_types)
 
 BOOST_AUTO_TEST_CASE(one_vertex)
 {
-  check_one_vertex(exact);
+  check_one_vertex(exact_own);
   check_one_vertex(in_ball);
-  check_one_vertex(with_level);
+  check_one_vertex(with_level_own);
 }
 
 BOOST_AUTO_TEST_CASE(callback)
@@ -189,12 +193,14 @@ BOOST_AUTO_TEST_CASE(point_set_equals_mesh)
   Cloud cloud(s, exact_normals(s));
   const double radius = 2.2 * s.mean_edge_length();
 
-  const Hrbf ball{[&](const auto& np) { return np.normals_are_exact(true).neighbor_radius(radius); }};
-  BOOST_TEST(same_bits(run(ball, mesh, s, Normals::EXACT),
-                       cloud.run(cloud.parameters().normals_are_exact(true).neighbor_radius(radius))));
-  const Hrbf inexact{[&](const auto& np) { return np.neighbor_radius(radius); }};
+  const Hrbf ball{[&](const auto& np)
+                  { return np.normals_are_exact(true).fits_are_shared(false).neighbor_radius(radius); }};
+  BOOST_TEST(same_bits(
+      run(ball, mesh, s, Normals::EXACT),
+      cloud.run(cloud.parameters().normals_are_exact(true).fits_are_shared(false).neighbor_radius(radius))));
+  const Hrbf inexact{[&](const auto& np) { return np.fits_are_shared(false).neighbor_radius(radius); }};
   BOOST_TEST(same_bits(run(inexact, mesh, s, Normals::EXACT),
-                       cloud.run(cloud.parameters().neighbor_radius(radius))));
+                       cloud.run(cloud.parameters().fits_are_shared(false).neighbor_radius(radius))));
 }
 
 BOOST_AUTO_TEST_CASE(point_sets_are_accurate)
@@ -210,7 +216,10 @@ BOOST_AUTO_TEST_CASE(point_sets_are_accurate)
       BOOST_TEST_MESSAGE(s.name << ", " << name << ": largest error " << e.largest);
       BOOST_TEST(e.largest < bound);
     };
-    const auto np = cloud.parameters();
+    const auto shared = cloud.parameters();
+    const auto np = shared.fits_are_shared(false);
+    check("shared, 18 neighbors, exact", cloud.run(shared.normals_are_exact(true)), 5e-4);
+    check("shared, 18 neighbors", cloud.run(shared), .06);
     check("18 neighbors, exact", cloud.run(np.normals_are_exact(true)), 3e-4);
     check("12 neighbors, exact", cloud.run(np.normals_are_exact(true).number_of_neighbors(12u)), 2e-3);
     check("ball, exact", cloud.run(np.normals_are_exact(true).neighbor_radius(2.2 * s.mean_edge_length())),
@@ -286,8 +295,8 @@ BOOST_AUTO_TEST_CASE(outputs)
 // a cancelled computation has no values
 BOOST_AUTO_TEST_CASE(cancelled)
 {
-  const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 6);
-  for(const int stop : {0, 3, 12}) // 9 blocks a pass: within the first pass, within the second
+  const Analytic_surface s = test_support::torus(1., .4, 64, 32, .2, 6);
+  for(const int stop : {0, 2, 5}) // 4 patches a pass: within the first pass, within the second
   {
     int calls = 0;
     const Hrbf stopped{[&](const auto& np) {
@@ -300,7 +309,7 @@ BOOST_AUTO_TEST_CASE(cancelled)
     for(const auto status : result.status)
       cancelled += status == SC::Estimation_status::CANCELLED;
     BOOST_TEST(cancelled == result.failures);
-    const std::size_t done = stop < 9 ? 0u : std::size_t(stop + 1 - 9) * 128u;
+    const std::size_t done = stop < 4 ? 0u : std::size_t(stop + 1 - 4) * 512u;
     BOOST_TEST(cancelled == s.points.size() - done);
   }
 }

@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE(one_vertex)
   const Normal_map all = mesh.add_property_map<Mesh::Vertex_index, Vector_3>("v:all").first;
   const Status_map status =
       mesh.add_property_map<Mesh::Vertex_index, SC::Estimation_status>("v:status").first;
-  const auto np = SC::parameters::noise_level(1e-3).number_of_passes(2u);
+  const auto np = SC::parameters::noise_level(1e-3).number_of_passes(2u).fits_are_shared(false);
   SC::hrbf_normals(mesh, all, np.vertex_status_map(status));
   for(const auto v : vertices(mesh))
   {

@@ -49,6 +49,10 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   well; where it is known to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded
   edge as wide as the neighborhood, and may swing beside it.
 
+  A function that was fitted at a vertex also serves vertices near it, where the surface bends little: see
+  `fits_are_shared`. Which vertices have a fit of their own follows from the order of the vertices and from the edges; so
+  it changes with the order of the input. The mean error is up to twice that of a fit for each vertex.
+
   The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
   the systems of equations magnify the rounding of the coordinates.
 
@@ -73,6 +77,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{the size of the neighborhood, in edges}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
+      \cgalParamExtra{Of \f$ r \f$ rings, the \f$ \max(6 r (r + 1), 48) \f$ nearest vertices take part, twice as many as a
+                      regular mesh has.}
       \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
                       less than 5 neighbors, up to two rings are added.}
     \cgalParamNEnd
@@ -80,6 +86,13 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
       \cgalParamType{`FT`}
       \cgalParamDefault{not used}
+    \cgalParamNEnd
+    \cgalParamNBegin{fits_are_shared}
+      \cgalParamDescription{whether the function that was fitted at a vertex may serve the vertices near it as well}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`true`}
+      \cgalParamExtra{`false` takes two to three times as long, and gives each vertex what it would get if it was asked for
+                      alone, whatever the order of the input. Only with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{radial_basis_function}
       \cgalParamDescription{the basis function, which chooses the system of equations as well: see `Local_hermite_rbf`}
@@ -149,7 +162,7 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
     \scVertexOutputParameters
   \cgalNamedParamsEnd
 
-  With exact normals the result has the bits of the whole mesh's. With inexact ones, the noise level is estimated from
+  With exact normals the result has the bits of the whole mesh's with `fits_are_shared(false)`. With inexact ones, the noise level is estimated from
   the surroundings of the vertex alone; give `noise_level` for all vertices to be treated alike. The radius of the
   Poisson-disc pattern of the thesis's method comes from the surroundings as well.
 

@@ -374,7 +374,8 @@ std::size_t interpolated_corrected_curvatures(const FaceGraph& mesh,
   using parameters::is_default_parameter;
 
   const double radius = internal::corrected_curvatures_radius(np);
-  const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(1), np);
+  const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(1), np,
+                                                                     Face_graph_samples::Connectivity::FACES);
   const internal::Interpolated_corrected_estimator estimator(samples, radius);
   const auto measured = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
   std::vector<internal::Curvature_estimate> estimates(measured.begin(), measured.end());

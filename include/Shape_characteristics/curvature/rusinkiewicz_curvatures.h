@@ -5,17 +5,12 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/Triangle_shape_operator.h>
-#include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
-#include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/curvature/internal/estimate_from_triangles.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
-#include <Shape_characteristics/normals/sampled_surface.h>
-#include <Shape_characteristics/sampling/Neighborhood.h>
-#include <Shape_characteristics/sampling/for_each_sample.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -25,21 +20,10 @@ class Rusinkiewicz_estimator
 public:
   using Workspace = Face_graph_samples::Workspace;
 
-  template <typename ConcurrencyTag>
-  Rusinkiewicz_estimator(const Face_graph_samples& samples, ConcurrencyTag)
-    : m_samples(samples),
-      m_faces(samples.number_of_faces())
+  template <typename NamedParameters>
+  Rusinkiewicz_estimator(const Face_graph_samples& samples, const NamedParameters&) : m_samples(samples)
   {
-    struct Nothing
-    {};
-    for_each_sample<ConcurrencyTag, Nothing>(
-        m_faces.size(),
-        [&](const std::size_t f, Nothing&)
-        {
-          const Triangle_shape_operator triangle(samples, f, 3);
-          if(triangle.is_valid())
-            m_faces[f] = {triangle.form(), triangle.normal(), triangle.corner_areas()};
-        });
+    require_triangles(samples, "rusinkiewicz_curvatures");
   }
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
@@ -48,29 +32,21 @@ public:
     if(!is_estimated(status))
       return Curvature_estimate(status);
 
-    Mean_shape_operator mean(m_samples.normal(i));
+    const Tangent_frame frame(m_samples.normal(i));
+    Mean_shape_operator mean;
     const auto [begin, end] = m_samples.incident_faces(i);
     for(const auto* f = begin; f != end; ++f)
     {
-      const Face& face = m_faces[*f];
-      const double area = face.corner_areas[corner_of(m_samples, *f, i)];
-      if(area > 0.)
-        mean.add(face.normal, face.form, area);
+      const Triangle_shape_operator triangle(m_samples, frame, i, *f, 3);
+      if(triangle.is_valid() && triangle.corner_area() > 0.)
+        mean.add(triangle, triangle.corner_area());
     }
-    return mean.is_valid() ? Curvature_estimate(status, mean.eigen())
+    return mean.is_valid() ? Curvature_estimate(status, mean.eigen(frame))
                            : Curvature_estimate(Estimation_status::DEGENERATE);
   }
 
 private:
-  struct Face
-  {
-    Symmetric_form form;
-    Eigen::Vector3d normal;
-    std::array<double, 3> corner_areas{}; // zero: the face counts for nothing
-  };
-
   const Face_graph_samples& m_samples;
-  std::vector<Face> m_faces;
 };
 
 } // namespace internal
@@ -122,12 +98,7 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
 std::size_t rusinkiewicz_curvatures(const FaceGraph& mesh,
                                     const NamedParameters& np = parameters::default_values())
 {
-  const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(1), np);
-  internal::require_triangles(samples, "rusinkiewicz_curvatures");
-  const internal::Rusinkiewicz_estimator estimator(samples, ConcurrencyTag());
-  auto estimates = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
-  internal::mark_duplicates(samples, estimates);
-  return internal::write_to_mesh(mesh, estimates, np);
+  return internal::estimate_from_triangles<ConcurrencyTag, internal::Rusinkiewicz_estimator>(mesh, np);
 }
 
 /*!
@@ -156,11 +127,7 @@ Estimation_status rusinkiewicz_curvatures(typename internal::Vertex_descriptor<F
                                           const FaceGraph& mesh,
                                           const NamedParameters& np = parameters::default_values())
 {
-  const Face_graph_samples samples = sampled_surface(v, mesh, Neighborhood::rings(1), 1, np);
-  internal::require_triangles(samples, "rusinkiewicz_curvatures");
-  const internal::Rusinkiewicz_estimator estimator(samples, CGAL::Sequential_tag());
-  internal::Rusinkiewicz_estimator::Workspace workspace;
-  return internal::write_to_references(estimator(0, workspace), np);
+  return internal::estimate_from_triangles<internal::Rusinkiewicz_estimator>(v, mesh, np);
 }
 
 } // namespace Shape_characteristics

@@ -6,17 +6,13 @@
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/Face_weighting.h>
 #include <Shape_characteristics/curvature/internal/Triangle_shape_operator.h>
-#include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
-#include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/curvature/internal/estimate_from_triangles.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
-#include <Shape_characteristics/normals/sampled_surface.h>
-#include <Shape_characteristics/sampling/Neighborhood.h>
-#include <Shape_characteristics/sampling/for_each_sample.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <cstddef>
 #include <stdexcept>
 #include <type_traits>
-#include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -26,33 +22,17 @@ class Tangent_space_estimator
 public:
   using Workspace = Face_graph_samples::Workspace;
 
-  template <typename ConcurrencyTag, typename NamedParameters>
-  Tangent_space_estimator(const Face_graph_samples& samples, ConcurrencyTag, const NamedParameters& np)
-    : m_samples(samples),
-      m_faces(samples.number_of_faces())
+  template <typename NamedParameters>
+  Tangent_space_estimator(const Face_graph_samples& samples, const NamedParameters& np) : m_samples(samples)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
+    require_triangles(samples, "tangent_space_curvatures");
     const auto edges = choose_parameter(get_parameter(np, internal_np::number_of_edges), 3);
-    const Face_weighting weighting =
-        choose_parameter(get_parameter(np, internal_np::face_weighting), Face_weighting::UNIFORM);
+    m_weighting = choose_parameter(get_parameter(np, internal_np::face_weighting), Face_weighting::UNIFORM);
     if(edges != 2 && edges != 3)
       throw std::invalid_argument("Shape_characteristics: number_of_edges must be 2 or 3");
-    const unsigned int number_of_edges = edges == 2 ? 2 : 3;
-
-    struct Nothing
-    {};
-    for_each_sample<ConcurrencyTag, Nothing>(
-        m_faces.size(),
-        [&](const std::size_t f, Nothing&)
-        {
-          const Triangle_shape_operator triangle(samples, f, number_of_edges);
-          if(!triangle.is_valid())
-            return;
-          const Shape_operator_eigen eigen = triangle.eigen();
-          m_faces[f] = {triangle.form(), triangle.normal(), eigen.min_curvature, eigen.max_curvature,
-                        weighting == Face_weighting::AREA ? triangle.area() : 1.};
-        });
+    m_number_of_edges = edges == 2 ? 2 : 3;
   }
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
@@ -61,38 +41,34 @@ public:
     if(!is_estimated(status))
       return Curvature_estimate(status);
 
-    Mean_shape_operator mean(m_samples.normal(i));
+    const Tangent_frame frame(m_samples.normal(i));
+    Mean_shape_operator mean;
     double min_sum = 0., max_sum = 0., weights = 0.;
     const auto [begin, end] = m_samples.incident_faces(i);
     for(const auto* f = begin; f != end; ++f)
     {
-      const Face& face = m_faces[*f];
-      if(!(face.weight > 0.))
+      const Triangle_shape_operator triangle(m_samples, frame, i, *f, m_number_of_edges);
+      const double weight = m_weighting == Face_weighting::AREA ? triangle.area() : 1.;
+      if(!triangle.is_valid() || !(weight > 0.))
         continue;
-      mean.add(face.normal, face.form, face.weight);
-      min_sum += face.weight * face.min_curvature;
-      max_sum += face.weight * face.max_curvature;
-      weights += face.weight;
+      const auto [k_min, k_max] = eigenvalues_of_shape_operator(triangle.l(), triangle.m(), triangle.n());
+      mean.add(triangle, weight);
+      min_sum += weight * k_min;
+      max_sum += weight * k_max;
+      weights += weight;
     }
     if(!mean.is_valid())
       return Curvature_estimate(Estimation_status::DEGENERATE);
-    Shape_operator_eigen result = mean.eigen();
+    Shape_operator_eigen result = mean.eigen(frame);
     result.min_curvature = min_sum / weights;
     result.max_curvature = max_sum / weights;
     return Curvature_estimate(status, result);
   }
 
 private:
-  struct Face
-  {
-    Symmetric_form form;
-    Eigen::Vector3d normal;
-    double min_curvature = 0., max_curvature = 0.;
-    double weight = 0.; // zero: the face counts for nothing
-  };
-
   const Face_graph_samples& m_samples;
-  std::vector<Face> m_faces;
+  Face_weighting m_weighting;
+  unsigned int m_number_of_edges;
 };
 
 } // namespace internal
@@ -111,6 +87,10 @@ private:
   overestimates the largest and underestimates the smallest curvature: `rusinkiewicz_curvatures()` averages operators.
   The thesis gives no principal directions; here they are those of the operators' mean, turned into the tangent
   plane of the vertex.
+
+  Of triangles with hardly any area whose corners' normals differ, the curvature across is as large as the triangle is thin.
+  In uniform means they drown the others: on meshes that have any (of CAD models, say), give `Face_weighting::AREA`, which
+  elsewhere is mostly the less accurate one.
 
   Triangles without an area, or with points or normals that are not finite, count for nothing.
 
@@ -155,12 +135,7 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
 std::size_t tangent_space_curvatures(const FaceGraph& mesh,
                                      const NamedParameters& np = parameters::default_values())
 {
-  const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(1), np);
-  internal::require_triangles(samples, "tangent_space_curvatures");
-  const internal::Tangent_space_estimator estimator(samples, ConcurrencyTag(), np);
-  auto estimates = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
-  internal::mark_duplicates(samples, estimates);
-  return internal::write_to_mesh(mesh, estimates, np);
+  return internal::estimate_from_triangles<ConcurrencyTag, internal::Tangent_space_estimator>(mesh, np);
 }
 
 /*!
@@ -190,11 +165,7 @@ Estimation_status tangent_space_curvatures(typename internal::Vertex_descriptor<
                                            const FaceGraph& mesh,
                                            const NamedParameters& np = parameters::default_values())
 {
-  const Face_graph_samples samples = sampled_surface(v, mesh, Neighborhood::rings(1), 1, np);
-  internal::require_triangles(samples, "tangent_space_curvatures");
-  const internal::Tangent_space_estimator estimator(samples, CGAL::Sequential_tag(), np);
-  internal::Tangent_space_estimator::Workspace workspace;
-  return internal::write_to_references(estimator(0, workspace), np);
+  return internal::estimate_from_triangles<internal::Tangent_space_estimator>(v, mesh, np);
 }
 
 } // namespace Shape_characteristics

@@ -2,12 +2,12 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_LOCAL_HERMITE_RBF_H
 
 #include <Shape_characteristics/Estimation_status.h>
-#include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
-#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Shape_parameter_box.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -83,12 +83,8 @@ public:
     typename SampledSurface::Workspace surface;
     /// the system of equations
     internal::Hermite_system<RadialBasisFunction> system;
-    /// points of the neighborhood, scaled; the sample is the first
-    std::vector<Eigen::Vector3d> points;
-    /// normals of the neighborhood
-    std::vector<Eigen::Vector3d> normals;
-    /// root mean square distance of the nearest neighbors, scaled
-    double nearest_size = 1.;
+    /// what is fitted
+    internal::Scaled_neighborhood neighborhood;
     /// mean distance of adjacent samples, not scaled (`Exponential_cubic`)
     double mean_spacing = 0.;
   };
@@ -108,8 +104,7 @@ public:
   Local_implicit_surface operator()(std::size_t i, Workspace& workspace) const
   {
     Local_implicit_surface result;
-    double scale = 0.;
-    result.status = prepare(i, workspace, scale);
+    result.status = prepare(i, workspace);
     if(!is_estimated(result.status))
       return result;
 
@@ -117,11 +112,11 @@ public:
     Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
     bool fitted = false;
     if constexpr(!RadialBasisFunction::is_positive_definite)
-      fitted = fit_indefinite(scale, workspace, jet);
+      fitted = fit_indefinite(workspace, jet);
     else if(m_options.normals_are_exact)
-      fitted = fit_exact(rounding_error(i, scale), workspace, jet);
+      fitted = fit_exact(workspace, jet);
     else
-      fitted = fit_noisy(rounding_error(i, scale), workspace, jet, displacement);
+      fitted = fit_noisy(workspace, jet, displacement);
 
     if(!fitted || !jet.gradient.allFinite() || !jet.hessian.allFinite())
     {
@@ -129,8 +124,8 @@ public:
       return result;
     }
     result.gradient = jet.gradient;
-    result.hessian = jet.hessian / scale;
-    result.displacement = scale * displacement;
+    result.hessian = jet.hessian / workspace.neighborhood.scale;
+    result.displacement = workspace.neighborhood.scale * displacement;
     return result;
   }
 
@@ -139,12 +134,14 @@ public:
   double log_likelihood(std::size_t i, double noise_level, Workspace& workspace) const
   {
     static_assert(RadialBasisFunction::is_positive_definite);
-    double scale = 0.;
-    if(!is_estimated(prepare(i, workspace, scale, s_nearest)))
+    if(!is_estimated(workspace.neighborhood.collect(m_surface, i, workspace.surface,
+                                                    internal::Scaled_neighborhood::nearest)))
       return std::numeric_limits<double>::quiet_NaN();
     set_up_noisy(workspace);
-    const double variance = (std::max)(noise_level * noise_level, nugget(rounding_error(i, scale)));
-    return workspace.system.solve_positive_definite(variance, s_normal_variance)
+    const double variance =
+        (std::max)(noise_level * noise_level, internal::nugget(workspace.neighborhood.rounding_error));
+    return workspace.system.solve_positive_definite(variance,
+                                                    internal::Noisy_fit_attempts::first_derivative_variance)
                ? workspace.system.log_likelihood()
                : std::numeric_limits<double>::quiet_NaN();
   }
@@ -152,255 +149,138 @@ public:
 private:
   using Vector = Eigen::Vector3d;
 
-  static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
-  static constexpr std::size_t s_desired = 5; // neighbors for which further rings are searched
-  static constexpr std::size_t s_nearest =
-      9; // neighbors that tell the level of noise: so few that a smooth surface
-         // bends little between them
-  static constexpr double s_merged = 1e-3;      // distance, in units of the scale, below which points are one
-  static constexpr double s_largest = 50.;      // curvature times scale beyond which a fit has failed
-  static constexpr double s_largest_noisy = 4.; // the same of inexact data
-  static constexpr int s_attempts =
-      9; // to fit inexact data, with noise levels that are ever farther from the given ones
-  static constexpr double s_normal_variance =
-      0.1; // of estimated normals: weak evidence beside good positions
-
-  // collects the scaled neighborhood
-  Estimation_status prepare(std::size_t i,
-                            Workspace& workspace,
-                            double& scale,
-                            std::size_t limit = (std::numeric_limits<std::size_t>::max)()) const
+  Estimation_status prepare(std::size_t i, Workspace& workspace) const
   {
-    const Estimation_status status = m_surface.status(i);
-    if(!is_estimated(status))
-      return status;
-    const auto& neighbors = m_surface.neighbors(i, s_desired, workspace.surface);
-    if(neighbors.size() < s_minimum)
-      return Estimation_status::FEW_NEIGHBOURS;
-
-    const Vector& center = m_surface.point(i);
-    workspace.points.assign(1, Vector::Zero());
-    workspace.normals.assign(1, m_surface.normal(i));
-    double largest = 0.;
-    const std::size_t number_of_neighbors = (std::min)(neighbors.size(), limit);
-    for(std::size_t k = 0; k < number_of_neighbors; ++k)
-    {
-      const auto j = neighbors[k];
-      workspace.points.push_back(m_surface.point(j) - center);
-      workspace.normals.push_back(m_surface.normal(j));
-      largest = (std::max)(largest, workspace.points.back().template lpNorm<Eigen::Infinity>());
-    }
-    if(!(largest > 0.) || !std::isfinite(largest))
-      return Estimation_status::DEGENERATE;
-    double sum = 0., sum_of_nearest = 0.;
-    for(std::size_t k = 1; k <= number_of_neighbors; ++k)
-    {
-      sum += (workspace.points[k] / largest).squaredNorm();
-      if(k == (std::min)(s_nearest, number_of_neighbors))
-        sum_of_nearest = sum / double(k);
-    }
-    sum /= double(number_of_neighbors);
-    scale = largest * std::sqrt(sum);
-    if(!(scale >= (std::numeric_limits<double>::min)()))
-      return Estimation_status::DEGENERATE;
-    workspace.nearest_size = std::sqrt(sum_of_nearest / sum);
-    for(Vector& d : workspace.points)
-      d /= scale;
+    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    const std::size_t limit = RadialBasisFunction::is_positive_definite
+                                  ? internal::largest_neighborhood(m_surface.neighborhood())
+                                  : (std::numeric_limits<std::size_t>::max)();
+    const Estimation_status status = workspace.neighborhood.collect(m_surface, i, workspace.surface, limit);
     if constexpr(std::is_same_v<RadialBasisFunction, Exponential_cubic>)
     {
-      workspace.mean_spacing = m_surface.spacing(i);
-      for(const auto j : neighbors)
+      if(!is_estimated(status))
+        return status;
+      workspace.mean_spacing = 0.;
+      for(const auto j : neighborhood.samples)
         workspace.mean_spacing += m_surface.spacing(j);
-      workspace.mean_spacing /= double(neighbors.size() + 1);
-      // of samples that coincide or are infinitely far: no shape parameter follows from it
+      workspace.mean_spacing /= double(neighborhood.samples.size());
+      // of samples that are infinitely far: no shape parameter follows from it
       constexpr double epsilon = std::numeric_limits<double>::epsilon();
-      if(!(workspace.mean_spacing > epsilon * scale) || !(workspace.mean_spacing < scale / epsilon))
+      if(!(workspace.mean_spacing > epsilon * neighborhood.scale) ||
+         !(workspace.mean_spacing < neighborhood.scale / epsilon))
         return Estimation_status::DEGENERATE;
     }
-    merge(workspace);
-    return workspace.points.size() <= s_minimum || is_collinear(workspace.points)
-               ? Estimation_status::DEGENERATE
-               : status;
+    return status;
   }
 
-  // Points closer to each other than any sampling means them to be, with different normals, would make the surface
-  // between them explode. The one nearest to the sample stays.
-  static void merge(Workspace& workspace)
-  {
-    std::size_t kept = 1;
-    for(std::size_t k = 1; k < workspace.points.size(); ++k)
-    {
-      const bool is_far = std::all_of(
-          workspace.points.begin(), workspace.points.begin() + std::ptrdiff_t(kept),
-          [&](const Vector& p) { return (p - workspace.points[k]).squaredNorm() > s_merged * s_merged; });
-      if(!is_far)
-        continue;
-      workspace.points[kept] = workspace.points[k];
-      workspace.normals[kept] = workspace.normals[k];
-      ++kept;
-    }
-    workspace.points.resize(kept);
-    workspace.normals.resize(kept);
-  }
-
-  // whether points (one of them the origin) lie on a line, as far as curvature is concerned
-  static bool is_collinear(const std::vector<Vector>& points)
-  {
-    Vector axis = Vector::Zero();
-    for(const Vector& p : points)
-      if(p.squaredNorm() > axis.squaredNorm())
-        axis = p;
-    double farthest = 0.;
-    for(const Vector& p : points)
-      farthest = (std::max)(farthest, p.cross(axis).squaredNorm());
-    return farthest <= 1e-12 * axis.squaredNorm() * axis.squaredNorm();
-  }
-
-  // of coordinates that were rounded before the neighborhood was scaled
-  double rounding_error(std::size_t i, double scale) const
-  {
-    return std::numeric_limits<double>::epsilon() *
-           (m_surface.point(i).template lpNorm<Eigen::Infinity>() / scale);
-  }
-
-  static double nugget(double rounding) { return (std::max)(1e-12, 16. * rounding * rounding); }
-
-  // flatter for larger neighborhoods: measured best at 7, 19, 37 and 61 points of smooth surfaces
   RadialBasisFunction basis_function(std::size_t number_of_points) const
   {
     if constexpr(!RadialBasisFunction::has_shape_parameter)
       return m_phi;
     else
-    {
-      if(m_phi.is_shape_parameter_set())
-        return m_phi;
-      const double rings = std::sqrt(double(number_of_points));
-      const double flat = (std::min)((std::max)(0.08 + 0.0775 * (rings - std::sqrt(7.)), 0.05), 0.6);
-      return m_phi.with_shape_parameter(m_options.normals_are_exact ? flat : 0.25);
-    }
+      return m_phi.with_shape_parameter(
+          internal::shape_parameter_of_fit(m_phi, number_of_points, m_options.normals_are_exact));
   }
 
-  // whether the surface bends as much as the samples can tell; what the function does off the surface doesn't matter
-  static bool is_bounded(const internal::Hermite_jet& jet, double largest = s_largest)
+  bool fit_exact(Workspace& workspace, internal::Hermite_jet& jet) const
   {
-    const double length = jet.gradient.norm();
-    const Eigen::Matrix3d projection =
-        Eigen::Matrix3d::Identity() - (jet.gradient / length) * (jet.gradient / length).transpose();
-    return (projection * jet.hessian * projection).norm() < largest * length;
-  }
-
-  bool fit_exact(double rounding, Workspace& workspace, internal::Hermite_jet& jet) const
-  {
-    const Vector& normal = workspace.normals[0];
-    workspace.system.clear(basis_function(workspace.points.size()), normal);
-    for(std::size_t k = 0; k < workspace.points.size(); ++k)
+    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    const Vector& normal = neighborhood.normals[0];
+    workspace.system.clear(basis_function(neighborhood.points.size()), normal);
+    for(std::size_t k = 0; k < neighborhood.points.size(); ++k)
     {
       Vector t1, t2;
-      internal::tangent_basis(workspace.normals[k], t1, t2);
+      internal::tangent_basis(neighborhood.normals[k], t1, t2);
       if(k == 0)
-        workspace.system.add_center(workspace.points[k], 0., std::array<Vector, 3>{t1, t2, normal},
+        workspace.system.add_center(neighborhood.points[k], 0., std::array<Vector, 3>{t1, t2, normal},
                                     std::array<double, 3>{0., 0., 1.});
       else
-        workspace.system.add_center(workspace.points[k], 0., std::array<Vector, 2>{t1, t2},
+        workspace.system.add_center(neighborhood.points[k], 0., std::array<Vector, 2>{t1, t2},
                                     std::array<double, 2>{0., 0.});
     }
-    double noise = nugget(rounding);
-    for(int attempt = 0; attempt < 4; ++attempt, noise *= 100.)
+    internal::Exact_fit_attempts attempts(neighborhood);
+    do
     {
-      if(!workspace.system.solve_positive_definite(noise, noise))
+      if(!workspace.system.solve_positive_definite(attempts.value_variance(), attempts.derivative_variance()))
         continue;
       jet = workspace.system(Vector::Zero());
-      const double length = jet.gradient.norm();
-      if(length > 0.1 && jet.gradient.dot(normal) > 0.5 * length && is_bounded(jet))
+      if(internal::Exact_fit_attempts::is_surface(internal::Fit_quality(jet), jet.gradient.dot(normal)))
         return true;
-    }
+    } while(attempts.next());
     return false;
   }
 
   void set_up_noisy(Workspace& workspace) const
   {
-    // normals of an opposite sheet don't take part in the trend
-    Vector trend = Vector::Zero();
-    for(const Vector& n : workspace.normals)
-      if(n.dot(workspace.normals[0]) > 0.)
-        trend += n;
-    trend.normalize();
+    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    workspace.system.clear(basis_function(neighborhood.points.size()),
+                           internal::trend_of_noisy_fit(neighborhood.normals));
+    add_gradients(workspace);
+  }
 
-    workspace.system.clear(basis_function(workspace.points.size()), trend);
-    for(std::size_t k = 0; k < workspace.points.size(); ++k)
+  static void add_gradients(Workspace& workspace)
+  {
+    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    for(std::size_t k = 0; k < neighborhood.points.size(); ++k)
     {
-      const Vector& n = workspace.normals[k];
-      workspace.system.add_center(workspace.points[k], 0.,
+      const Vector& n = neighborhood.normals[k];
+      workspace.system.add_center(neighborhood.points[k], 0.,
                                   std::array<Vector, 3>{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()},
                                   std::array<double, 3>{n.x(), n.y(), n.z()});
     }
   }
 
-  // The noise of the normals is guessed. Where it was guessed too high, as on a surface that bends much between its
-  // samples, the function may as well be zero everywhere, and its gradient shrinks: then normals are trusted more. Where
-  // the points' noise was guessed too low, as at a sharp edge between large flat faces, the surface bends more than its
-  // samples can tell: then points are trusted less.
-  bool
-  fit_noisy(double rounding, Workspace& workspace, internal::Hermite_jet& jet, Vector& displacement) const
+  bool fit_noisy(Workspace& workspace, internal::Hermite_jet& jet, Vector& displacement) const
   {
     set_up_noisy(workspace);
-    const double noise = m_options.noise_level * workspace.nearest_size;
-    double variance = (std::max)(noise * noise, nugget(rounding));
-    double normal_variance = s_normal_variance;
-    for(int attempt = 0; attempt < s_attempts; ++attempt)
+    internal::Noisy_fit_attempts attempts(workspace.neighborhood, m_options.noise_level);
+    for(bool go_on = true; go_on;)
     {
-      if(!workspace.system.solve_positive_definite(variance, normal_variance))
+      if(!workspace.system.solve_positive_definite(attempts.value_variance(), attempts.derivative_variance()))
       {
-        variance *= 100.;
+        go_on = attempts.next_if_indefinite();
         continue;
       }
       displacement.setZero();
-      for(int step = 0; step < 2; ++step)
-      {
-        jet = workspace.system(displacement);
-        displacement -= jet.value / jet.gradient.squaredNorm() * jet.gradient;
-      }
       jet = workspace.system(displacement);
-      const double length = jet.gradient.norm();
-      const bool is_surface = length > 0.05 && displacement.norm() < 0.5;
-      if(is_surface && is_bounded(jet, s_largest_noisy))
+      internal::step_to_zero_set(jet, displacement);
+      if(!internal::is_negligible(displacement))
+      {
+        internal::step_to_zero_set(workspace.system(displacement), displacement);
+        jet = workspace.system(displacement);
+      }
+      const internal::Fit_quality quality(jet);
+      const bool is_surface = internal::Noisy_fit_attempts::is_surface(quality, displacement);
+      if(is_surface && internal::Noisy_fit_attempts::is_plausible(quality))
         return true;
-      if(!is_surface)
-        normal_variance *= 0.1;
-      if(is_surface || attempt >= 2)
-        variance = (std::max)(100. * variance, 1e-8);
+      go_on = attempts.next(is_surface);
     }
     return false;
   }
 
-  bool fit_indefinite(double scale, Workspace& workspace, internal::Hermite_jet& jet) const
+  bool fit_indefinite(Workspace& workspace, internal::Hermite_jet& jet) const
   {
-    workspace.system.clear(thesis_basis_function(scale, workspace), Vector::Zero());
-    for(std::size_t k = 0; k < workspace.points.size(); ++k)
-    {
-      const Vector& n = workspace.normals[k];
-      workspace.system.add_center(workspace.points[k], 0.,
-                                  std::array<Vector, 3>{Vector::UnitX(), Vector::UnitY(), Vector::UnitZ()},
-                                  std::array<double, 3>{n.x(), n.y(), n.z()});
-    }
+    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    workspace.system.clear(thesis_basis_function(workspace), Vector::Zero());
+    add_gradients(workspace);
     if(!workspace.system.solve_indefinite())
       return false;
     // A matrix that is singular to working precision may be solved without complaint, and wrongly.
     constexpr double tolerance = 1e-3;
     const internal::Hermite_jet at_center = workspace.system(Vector::Zero());
     if(!(std::abs(at_center.value) < tolerance &&
-         (at_center.gradient - workspace.normals[0]).norm() < tolerance))
+         (at_center.gradient - neighborhood.normals[0]).norm() < tolerance))
       return false;
     if(m_options.pattern.empty())
       jet = at_center;
     else
     {
       // the same pattern for a normal and its opposite: flipping a surface flips the result to the last bit
-      const Vector& n = workspace.normals[0];
+      const Vector& n = neighborhood.normals[0];
       const bool is_up = n.z() != 0. ? n.z() > 0. : (n.y() != 0. ? n.y() > 0. : n.x() > 0.);
       Vector t1, t2;
       internal::tangent_basis(Vector(is_up ? n : Vector(-n)) + Vector::Zero(), t1, t2); // -0 becomes 0
-      const double radius = m_options.pattern_radius / scale;
+      const double radius = m_options.pattern_radius / neighborhood.scale;
       for(const Eigen::Vector2d& c : m_options.pattern)
       {
         const internal::Hermite_jet sample = workspace.system(radius * (c.x() * t1 + c.y() * t2));
@@ -408,41 +288,39 @@ private:
         jet.hessian += sample.hessian / double(m_options.pattern.size());
       }
     }
-    return is_bounded(jet);
+    return internal::Fit_quality(jet).largest_curvature < internal::largest_plausible_curvature;
   }
 
   // The thesis's choice (8.1.1): mean edge length over the cubed longest side of a box, where that side is the unit
   // of length.
-  RadialBasisFunction thesis_basis_function(double scale, const Workspace& workspace) const
+  RadialBasisFunction thesis_basis_function(const Workspace& workspace) const
   {
     if constexpr(!std::is_same_v<RadialBasisFunction, Exponential_cubic>)
-    {
-      (void)scale;
       return m_phi;
-    }
     else
     {
+      const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
       if(m_phi.is_shape_parameter_set())
         return m_phi;
       Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();
       if(m_options.box == Shape_parameter_box::ORIENTED)
       {
         Vector mean = Vector::Zero();
-        for(const Vector& p : workspace.points)
-          mean += p / double(workspace.points.size());
+        for(const Vector& p : neighborhood.points)
+          mean += p / double(neighborhood.points.size());
         Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-        for(const Vector& p : workspace.points)
+        for(const Vector& p : neighborhood.points)
           covariance += (p - mean) * (p - mean).transpose();
         axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().transpose();
       }
       Vector low = Vector::Zero(), high = Vector::Zero();
-      for(const Vector& p : workspace.points)
+      for(const Vector& p : neighborhood.points)
       {
         low = low.cwiseMin(axes * p);
         high = high.cwiseMax(axes * p);
       }
       const double longest = (high - low).maxCoeff();
-      const double edge = workspace.mean_spacing / scale;
+      const double edge = workspace.mean_spacing / neighborhood.scale;
       return m_phi.with_shape_parameter(edge / longest / (longest * longest * longest));
     }
   }

@@ -6,6 +6,7 @@
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
+#include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
 
@@ -16,6 +17,8 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -34,55 +37,83 @@ unsigned int reach_of_hermite_rbf(const NamedParameters& np)
   return normals_are_exact ? 1 : 3;
 }
 
+// `count` (or all) of the samples that can be used, spread evenly over their lexicographic order: that of the input, and
+// samples that can't be used, don't matter.
+template <typename SampledSurface>
+std::vector<std::uint32_t> probes_of(const SampledSurface& surface, std::size_t count)
+{
+  std::vector<std::uint32_t> samples;
+  for(std::size_t i = 0; i < surface.size(); ++i)
+    if(is_estimated(surface.status(i)))
+      samples.push_back(std::uint32_t(i));
+  const auto is_before = [&](const std::uint32_t i, const std::uint32_t j)
+  {
+    if(surface.point(i) != surface.point(j))
+      return lexicographically_smaller(surface.point(i), surface.point(j));
+    return lexicographically_smaller(surface.normal(i), surface.normal(j));
+  };
+  const std::size_t probes = (std::min)(count, samples.size());
+  const auto rank = [&](const std::size_t k) { return (2 * k + 1) * samples.size() / (2 * probes); };
+  // The middle one of the probes to be found parts the samples; then the same with those on either side.
+  struct Part
+  {
+    std::size_t first_probe, last_probe, begin, end;
+  };
+  std::vector<Part> parts;
+  if(probes > 0)
+    parts.push_back({0, probes, 0, samples.size()});
+  while(!parts.empty())
+  {
+    const Part part = parts.back();
+    parts.pop_back();
+    const std::size_t middle = (part.first_probe + part.last_probe) / 2, place = rank(middle);
+    std::nth_element(samples.begin() + std::ptrdiff_t(part.begin), samples.begin() + std::ptrdiff_t(place),
+                     samples.begin() + std::ptrdiff_t(part.end), is_before);
+    if(part.first_probe < middle)
+      parts.push_back({part.first_probe, middle, part.begin, place});
+    if(middle + 1 < part.last_probe)
+      parts.push_back({middle + 1, part.last_probe, place + 1, part.end});
+  }
+  std::vector<std::uint32_t> result;
+  for(std::size_t k = 0; k < probes; ++k)
+    result.push_back(samples[rank(k)]);
+  return result;
+}
+
 /*
   The standard deviation of the points, in units of the neighborhoods' sizes: of those on a grid, the one under which
   the data of some neighborhoods together are likeliest. Each neighborhood alone knows too little to choose.
 */
 template <typename SampledSurface, typename RadialBasisFunction>
-double estimate_noise_level(const SampledSurface& surface,
-                            const Local_hermite_rbf<SampledSurface, RadialBasisFunction>& fit)
+double estimate_noise_level(const SampledSurface& surface, const RadialBasisFunction& phi)
 {
   constexpr std::size_t number_of_probes = 50;
   constexpr int first_exponent = -12, last_exponent = -1; // of the variance
-
-  using Fit = Local_hermite_rbf<SampledSurface, RadialBasisFunction>;
-  typename Fit::Workspace workspace;
   constexpr std::size_t levels = last_exponent - first_exponent + 1;
-  std::array<double, levels> likelihood{}, of_probe{};
+  std::vector<double> level(levels);
+  for(std::size_t e = 0; e < levels; ++e)
+    level[e] = std::pow(10., (first_exponent + int(e)) / 2.);
+
+  const std::vector<std::uint32_t> probes = probes_of(surface, number_of_probes);
+  using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
+  const std::vector<double> of_probe =
+      Fit(surface, phi, typename Fit::Options()).log_likelihoods(probes, level);
+  std::array<double, levels> likelihood{};
   std::array<std::size_t, levels> failures{};
   std::size_t used = 0;
-  // The probes are spread evenly over the surface's own order: that of the input, and samples that can't be used, don't
-  // matter.
-  std::vector<std::size_t> samples;
-  for(std::size_t i = 0; i < surface.size(); ++i)
-    if(is_estimated(surface.status(i)))
-      samples.push_back(i);
-  std::sort(samples.begin(), samples.end(),
-            [&](const std::size_t i, const std::size_t j)
-            {
-              if(surface.point(i) != surface.point(j))
-                return lexicographically_smaller(surface.point(i), surface.point(j));
-              return lexicographically_smaller(surface.normal(i), surface.normal(j));
-            });
-  const std::size_t probes = (std::min)(number_of_probes, samples.size());
-  const auto level = [](const std::size_t e) { return std::pow(10., (first_exponent + int(e)) / 2.); };
-  for(std::size_t k = 0; k < probes; ++k)
+  for(std::size_t k = 0; k < probes.size(); ++k)
   {
-    const std::size_t i = samples[(2 * k + 1) * samples.size() / (2 * probes)];
+    if(!std::isfinite(of_probe[(k + 1) * levels - 1])) // there is no surface at all
+      continue;
+    ++used;
+    double last = 0.;
     for(std::size_t e = levels; e-- > 0;)
     {
-      of_probe[e] = fit.log_likelihood(i, level(e), workspace);
-      if(std::isfinite(of_probe[e]))
-        likelihood[e] += of_probe[e];
-      else if(e + 1 == levels) // there is no surface at all
-        break;
+      if(std::isfinite(of_probe[k * levels + e]))
+        last = of_probe[k * levels + e];
       else
-      {
         ++failures[e];
-        of_probe[e] = of_probe[e + 1];
-        likelihood[e] += of_probe[e];
-      }
-      used += e == 0;
+      likelihood[e] += last;
     }
   }
   // The lowest level that isn't clearly worse than the best one: noise is assumed on strong evidence alone, for a
@@ -92,7 +123,7 @@ double estimate_noise_level(const SampledSurface& surface,
   std::size_t best = 0;
   while(best + 1 < levels && (10 * failures[best] > used || likelihood[best] < threshold))
     ++best;
-  return level(best);
+  return level[best];
 }
 
 // Progress of several passes as progress of one.
@@ -136,15 +167,16 @@ public:
     if(passes_are_given && (passes < 1 || passes > 1000))
       throw std::invalid_argument("Shape_characteristics: number_of_passes must be between 1 and 1000");
     m_passes = static_cast<std::size_t>(passes);
-    const double distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
-    const std::uint64_t seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);
+    m_sampling_distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
+    m_seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);
     m_callback = choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+    m_fits_are_shared = choose_parameter(get_parameter(np, internal_np::fits_are_shared), true);
 
     constexpr bool level_is_given =
         !parameters::is_default_parameter<NamedParameters, internal_np::noise_level_t>::value;
     if(level_is_given && !(m_noise_level >= 0. && std::isfinite(m_noise_level)))
       throw std::invalid_argument("Shape_characteristics: noise_level must be finite and not negative");
-    m_pattern = poisson_disc_pattern(distance, seed);
+    check_sampling_distance(m_sampling_distance); // whether the pattern is needed or not
   }
 
   template <typename SampledSurface, typename RadialBasisFunction, typename Transform>
@@ -153,66 +185,140 @@ public:
                                  std::size_t size,
                                  const Transform& transform) const
   {
+    if constexpr(RadialBasisFunction::is_positive_definite)
+      return fit_positive_definite(surface, phi, size, transform);
+    else
+      return fit_indefinite(surface, phi, size, transform);
+  }
+
+private:
+  template <typename SampledSurface, typename RadialBasisFunction, typename Transform>
+  std::vector<Result> fit_indefinite(const SampledSurface& surface,
+                                     const RadialBasisFunction& phi,
+                                     std::size_t size,
+                                     const Transform& transform) const
+  {
     using Fit = Local_hermite_rbf<SampledSurface, RadialBasisFunction>;
     typename Fit::Options options;
     options.normals_are_exact = m_normals_are_exact;
     options.box = m_box;
-    if constexpr(RadialBasisFunction::is_positive_definite)
+    if(!m_normals_are_exact)
     {
-      if(!m_normals_are_exact)
-      {
-        options.noise_level =
-            m_noise_level >= 0. ? m_noise_level : estimate_noise_level(surface, Fit(surface, phi, options));
-        const std::size_t passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
-        for(std::size_t pass = 0; pass + 1 < passes; ++pass)
-          if(!denoise(surface, Fit(surface, phi, options), pass, passes))
-            return std::vector<Result>(size);
-        return last_pass(Fit(surface, phi, options), size, transform, passes);
-      }
-    }
-    else if(!m_normals_are_exact)
-    {
-      options.pattern = m_pattern;
+      options.pattern = poisson_disc_pattern(m_sampling_distance, m_seed);
       options.pattern_radius = surface.mean_spacing();
     }
-    return last_pass(Fit(surface, phi, options), size, transform, 1);
+    const Fit fit(surface, phi, options);
+    std::vector<Result> results(size);
+    Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
+        size,
+        [&](const std::size_t i, typename Fit::Workspace& workspace)
+        { results[i] = transform(i, fit(i, workspace)); },
+        callback_of(0, 1));
+    return results;
   }
 
-private:
+  template <typename SampledSurface, typename RadialBasisFunction, typename Transform>
+  std::vector<Result> fit_positive_definite(SampledSurface& surface,
+                                            const RadialBasisFunction& phi,
+                                            std::size_t size,
+                                            const Transform& transform) const
+  {
+    using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
+    typename Fit::Options options;
+    options.normals_are_exact = m_normals_are_exact;
+    options.fits_are_shared = m_fits_are_shared && size == surface.size();
+    const Patches patches(surface, size, options.fits_are_shared);
+    std::size_t passes = 1;
+    if(!m_normals_are_exact)
+    {
+      options.noise_level = m_noise_level >= 0. ? m_noise_level : estimate_noise_level(surface, phi);
+      passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
+    }
+    std::vector<Result> results(size);
+    // where a single sample is asked for, its neighbors are smoothed as well
+    std::optional<Patches> of_all;
+    if(passes > 1 && size < surface.size())
+      of_all.emplace(surface, surface.size(), false);
+    for(std::size_t pass = 0; pass + 1 < passes; ++pass)
+      if(!denoise(surface, Fit(surface, phi, options), of_all ? *of_all : patches, pass, passes))
+        return results;
+    for_each_patch(
+        Fit(surface, phi, options), surface.size(), patches,
+        [&](const std::size_t i, const Local_implicit_surface& local) { results[i] = transform(i, local); },
+        callback_of(passes - 1, passes));
+    return results;
+  }
+
+  // Samples in an order of which each range of `patch_size` is a patch: those to be answered for.
+  struct Patches
+  {
+    template <typename SampledSurface>
+    Patches(const SampledSurface& surface, std::size_t size, bool fits_are_shared)
+    {
+      // enough patches for all threads, and large ones: their rims cost. Powers of two, so that some samples more or less
+      // mostly don't move the limits of the patches.
+      for(patch_size = 512; patch_size < 2048 && 32 * patch_size <= size;)
+        patch_size *= 2;
+      if(fits_are_shared)
+        samples = surface.traversal_order(patch_size);
+      else
+      {
+        samples.resize(size);
+        std::iota(samples.begin(), samples.end(), std::uint32_t(0));
+      }
+      position.resize(samples.size());
+      for(std::size_t k = 0; k < samples.size(); ++k)
+        position[samples[k]] = std::uint32_t(k);
+    }
+
+    std::size_t patch_size;
+    std::vector<std::uint32_t> samples, position;
+  };
+
+  // whether all patches were visited
+  template <typename Fit, typename Output>
+  static bool for_each_patch(const Fit& fit,
+                             std::size_t size,
+                             const Patches& patches,
+                             const Output& output,
+                             const std::function<bool(double)>& callback)
+  {
+    std::vector<unsigned char> is_served(size, 0);
+    const std::size_t number = (patches.samples.size() + patches.patch_size - 1) / patches.patch_size;
+    return Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
+        number,
+        [&](const std::size_t p, typename Fit::Workspace& workspace)
+        {
+          const std::size_t begin = p * patches.patch_size;
+          const std::size_t end = (std::min)(begin + patches.patch_size, patches.samples.size());
+          fit(patches.samples, patches.position, begin, end, is_served, workspace, output);
+        },
+        callback, 1);
+  }
+
   // moves the samples, and turns their normals, to the fitted surfaces
   template <typename SampledSurface, typename Fit>
-  bool denoise(SampledSurface& surface, const Fit& fit, std::size_t pass, std::size_t passes) const
+  bool denoise(SampledSurface& surface,
+               const Fit& fit,
+               const Patches& patches,
+               std::size_t pass,
+               std::size_t passes) const
   {
     std::vector<Eigen::Vector3d> points(surface.size()), normals(surface.size());
-    const auto move = [&](const std::size_t i, typename Fit::Workspace& workspace)
+    const auto move = [&](const std::size_t i, const Local_implicit_surface& local)
     {
-      const Local_implicit_surface local = fit(i, workspace);
       const bool moves = is_estimated(local.status);
       points[i] = surface.point(i);
       if(moves)
         points[i] += local.displacement;
       normals[i] = moves ? local.gradient.normalized() : surface.normal(i);
     };
-    if(!for_each_sample<ConcurrencyTag, typename Fit::Workspace>(surface.size(), move,
-                                                                 callback_of(pass, passes)))
+    if(!for_each_patch(fit, surface.size(), patches, move, callback_of(pass, passes)))
       return false;
     for(std::size_t i = 0; i < surface.size(); ++i)
       surface.set_point(i, points[i]);
     surface.set_normals(std::move(normals));
     return true;
-  }
-
-  template <typename Fit, typename Transform>
-  std::vector<Result>
-  last_pass(const Fit& fit, std::size_t size, const Transform& transform, std::size_t passes) const
-  {
-    std::vector<Result> results(size);
-    for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        size,
-        [&](const std::size_t i, typename Fit::Workspace& workspace)
-        { results[i] = transform(i, fit(i, workspace)); },
-        callback_of(passes - 1, passes));
-    return results;
   }
 
   std::function<bool(double)> callback_of(std::size_t pass, std::size_t passes) const
@@ -226,7 +332,9 @@ private:
   Shape_parameter_box m_box;
   double m_noise_level; // negative: to be estimated
   std::size_t m_passes; // 0: to be chosen
-  std::vector<Eigen::Vector2d> m_pattern;
+  bool m_fits_are_shared;
+  double m_sampling_distance;
+  std::uint64_t m_seed;
   std::function<bool(double)> m_callback;
 };
 

@@ -3,10 +3,13 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -31,6 +34,81 @@ auto estimate_curvatures(const Estimator& estimator, std::size_t size, const Nam
       size, [&](const std::size_t i, Workspace& workspace) { estimates[i] = estimator(i, workspace); },
       callback);
   return estimates;
+}
+
+// The same, handed over to `write(sample, estimate)` by one thread and in the order of the samples, some thousands at a
+// time: less memory, and what was just computed is still in the cache.
+template <typename ConcurrencyTag, typename Estimator, typename NamedParameters, typename Write>
+void estimate_and_write(const Estimator& estimator,
+                        std::size_t size,
+                        const NamedParameters& np,
+                        const Write& write)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Workspace = typename Estimator::Workspace;
+  constexpr std::size_t most_at_a_time = 16384, block_size = 128;
+
+  const std::function<bool(double)> callback =
+      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  Workspace_pool<Workspace> pool;
+  std::vector<Curvature_estimate> estimates((std::min)(size, most_at_a_time));
+  bool go_on = true;
+  for(std::size_t begin = 0; begin < size; begin += most_at_a_time)
+  {
+    const std::size_t end = (std::min)(begin + most_at_a_time, size);
+    std::function<bool(double)> callback_of_all;
+    if(callback)
+    {
+      std::fill(estimates.begin(), estimates.end(), Curvature_estimate()); // some may be left out
+      callback_of_all = [&](const double advancement)
+      { return callback((double(begin) + advancement * double(end - begin)) / double(size)); };
+    }
+    go_on = go_on && for_each_sample_between<ConcurrencyTag>(
+                         pool, begin, end,
+                         [&](const std::size_t i, Workspace& w) { estimates[i - begin] = estimator(i, w); },
+                         callback_of_all, block_size);
+    for(std::size_t i = begin; i < end; ++i)
+      write(i, estimates[i - begin]);
+  }
+}
+
+// Writes the estimates of all vertices of a mesh to the maps there are. Returns the number of those without one.
+template <typename ConcurrencyTag, typename FaceGraph, typename Estimator, typename NamedParameters>
+std::size_t estimate_vertices(const FaceGraph& mesh,
+                              const Face_graph_samples& samples,
+                              const Estimator& estimator,
+                              const NamedParameters& np)
+{
+  Duplicates duplicates(samples);
+  std::size_t failures = 0;
+  auto v = vertices(mesh).begin();
+  estimate_and_write<ConcurrencyTag>(estimator, samples.size(), np,
+                                     [&](const std::size_t i, Curvature_estimate& estimate)
+                                     {
+                                       duplicates.mark(i, estimate);
+                                       failures += !is_estimated(estimate.status);
+                                       write_to_vertex(*v++, estimate, np);
+                                     });
+  return failures;
+}
+
+// the same of the points of a range
+template <typename ConcurrencyTag, typename PointRange, typename Estimator, typename NamedParameters>
+std::size_t
+estimate_points(PointRange& points, std::size_t size, const Estimator& estimator, const NamedParameters& np)
+{
+  std::size_t failures = 0;
+  auto item = std::begin(points);
+  estimate_and_write<ConcurrencyTag>(estimator, size, np,
+                                     [&](std::size_t, const Curvature_estimate& estimate)
+                                     {
+                                       failures += !is_estimated(estimate.status);
+                                       auto&& value = *item; // some ranges have no elements, but stand-ins
+                                       write_to_item(value, estimate, np);
+                                       ++item;
+                                     });
+  return failures;
 }
 
 } // namespace internal

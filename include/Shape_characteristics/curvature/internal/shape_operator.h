@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -48,11 +50,43 @@ inline double safe_norm(const Eigen::Vector3d& v) noexcept
   return largest > 0 && std::isfinite(largest) ? largest * (v / largest).norm() : largest;
 }
 
+// a power of two by which the entries of a shape operator are divided so that their products neither overflow nor vanish
+inline int exponent_of_shape_operator(double& l, double& m, double& n) noexcept
+{
+  const double largest = (std::max)((std::max)(std::abs(l), std::abs(m)), std::abs(n));
+  int exponent = 0;
+  if(largest > 1e100 || (largest < 1e-100 && largest > 0))
+  {
+    std::frexp(largest, &exponent);
+    l = std::ldexp(l, -exponent);
+    m = std::ldexp(m, -exponent);
+    n = std::ldexp(n, -exponent);
+  }
+  return exponent;
+}
+
+// The eigenvalues of the shape operator [l m; m n], the smaller one first. Their difference has full relative accuracy, and
+// so has the smaller one in magnitude: neither is the result of a cancellation, in contrast to K_H +- sqrt(K_H^2 - K_G).
+inline std::pair<double, double> eigenvalues_of_shape_operator(double l, double m, double n) noexcept
+{
+  const int exponent = exponent_of_shape_operator(l, m, n);
+  const double mean = 0.5 * (l + n), delta = 0.5 * (l - n);
+  const double radius = std::sqrt(delta * delta + m * m);
+  double k_min = mean - radius, k_max = mean + radius;
+  if(radius > 0.5 * std::abs(mean)) // else nothing cancels
+  {
+    if(mean > 0)
+      k_min = determinant(l, m, n) / k_max;
+    else if(mean < 0)
+      k_max = determinant(l, m, n) / k_min;
+  }
+  if(exponent != 0)
+    return {std::ldexp(k_min, exponent), std::ldexp(k_max, exponent)};
+  return {k_min, k_max};
+}
+
 // Eigenvalues and directions of the shape operator [l m; m n] given in the orthonormal tangent basis t1, t2 (convex
 // positive: l is the normal curvature in the direction of t1). `normal` is the unit normal.
-//
-// The difference of the eigenvalues has full relative accuracy, and so has the smaller one in magnitude: neither is
-// the result of a cancellation, in contrast to K_H +- sqrt(K_H^2 - K_G).
 inline Shape_operator_eigen eigen_of_shape_operator(const Eigen::Vector3d& normal,
                                                     double l,
                                                     double m,
@@ -64,29 +98,9 @@ inline Shape_operator_eigen eigen_of_shape_operator(const Eigen::Vector3d& norma
   if(!(std::isfinite(l) && std::isfinite(m) && std::isfinite(n)))
     return result;
 
-  // a power of two scales without rounding; then products neither overflow nor vanish
-  const double largest = std::max({std::abs(l), std::abs(m), std::abs(n)});
-  int exponent = 0;
-  if(largest > 1e100 || (largest < 1e-100 && largest > 0))
-  {
-    std::frexp(largest, &exponent);
-    l = std::ldexp(l, -exponent);
-    m = std::ldexp(m, -exponent);
-    n = std::ldexp(n, -exponent);
-  }
-
-  const double mean = 0.5 * (l + n), delta = 0.5 * (l - n);
-  const double radius = std::sqrt(delta * delta + m * m);
-  double k_min = mean - radius, k_max = mean + radius;
-  if(radius > 0.5 * std::abs(mean)) // else nothing cancels
-  {
-    if(mean > 0)
-      k_min = determinant(l, m, n) / k_max;
-    else if(mean < 0)
-      k_max = determinant(l, m, n) / k_min;
-  }
-  result.min_curvature = exponent == 0 ? k_min : std::ldexp(k_min, exponent);
-  result.max_curvature = exponent == 0 ? k_max : std::ldexp(k_max, exponent);
+  std::tie(result.min_curvature, result.max_curvature) = eigenvalues_of_shape_operator(l, m, n);
+  exponent_of_shape_operator(l, m, n);
+  const double delta = 0.5 * (l - n), radius = std::sqrt(delta * delta + m * m);
 
   // (radius + delta, m) and (m, radius - delta) are parallel; take the one that is the sum of two positive terms
   double c = 1, s = 0;

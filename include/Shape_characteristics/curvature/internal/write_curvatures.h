@@ -32,10 +32,11 @@ struct Curvature_estimate
 
   // a value that isn't finite is no estimate
   Curvature_estimate(Estimation_status if_finite, const Shape_operator_eigen& c)
-    : status(c.is_finite() ? if_finite : Estimation_status::DEGENERATE)
+    : status(if_finite),
+      curvatures(c)
   {
-    if(c.is_finite())
-      curvatures = c;
+    if(!c.is_finite())
+      *this = Curvature_estimate(Estimation_status::DEGENERATE);
   }
 
   double mean() const { return curvatures.min_curvature / 2. + curvatures.max_curvature / 2.; }
@@ -66,26 +67,43 @@ void put_number(const Map& map, Key& key, double value)
 }
 
 // Faces of a soup have no neighbors, for each has its own copy of the vertices: says so instead of FEW_NEIGHBOURS.
+class Duplicates
+{
+public:
+  explicit Duplicates(const Face_graph_samples& samples) : m_samples(samples) {}
+
+  void mark(std::size_t i, Curvature_estimate& estimate)
+  {
+    if(estimate.status == Estimation_status::FEW_NEIGHBOURS && has_coincident_vertices(i))
+      estimate.status = Estimation_status::DUPLICATE;
+  }
+
+private:
+  using Index = Face_graph_samples::Index;
+
+  bool has_coincident_vertices(std::size_t i)
+  {
+    const auto is_before = [&](const Index a, const Index b)
+    { return lexicographically_smaller(m_samples.point(a), m_samples.point(b)); };
+    if(m_order.empty()) // most meshes never need it
+    {
+      m_order.resize(m_samples.size());
+      std::iota(m_order.begin(), m_order.end(), Index(0));
+      std::sort(m_order.begin(), m_order.end(), is_before);
+    }
+    const auto equal = std::equal_range(m_order.begin(), m_order.end(), Index(i), is_before);
+    return equal.second - equal.first > 1;
+  }
+
+  const Face_graph_samples& m_samples;
+  std::vector<Index> m_order; // that of the points
+};
+
 inline void mark_duplicates(const Face_graph_samples& samples, std::vector<Curvature_estimate>& estimates)
 {
-  std::vector<std::size_t> lonely;
+  Duplicates duplicates(samples);
   for(std::size_t i = 0; i < estimates.size(); ++i)
-    if(estimates[i].status == Estimation_status::FEW_NEIGHBOURS)
-      lonely.push_back(i);
-  if(lonely.empty())
-    return;
-
-  std::vector<std::size_t> order(samples.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto is_before = [&](const std::size_t i, const std::size_t j)
-  { return lexicographically_smaller(samples.point(i), samples.point(j)); };
-  std::sort(order.begin(), order.end(), is_before);
-  for(const std::size_t i : lonely)
-  {
-    const auto equal = std::equal_range(order.begin(), order.end(), i, is_before);
-    if(equal.second - equal.first > 1)
-      estimates[i].status = Estimation_status::DUPLICATE;
-  }
+    duplicates.mark(i, estimates[i]);
 }
 
 inline std::size_t number_of_failures(const std::vector<Curvature_estimate>& estimates)
@@ -96,72 +114,64 @@ inline std::size_t number_of_failures(const std::vector<Curvature_estimate>& est
   return failures;
 }
 
+// writes what there is a map for
+template <typename Vertex, typename NamedParameters>
+void write_to_vertex(const Vertex v, const Curvature_estimate& estimate, const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  if constexpr(!is_default_parameter<NamedParameters,
+                                     internal_np::vertex_principal_curvatures_and_directions_map_t>::value)
+    put_curvatures(get_parameter(np, internal_np::vertex_principal_curvatures_and_directions_map), v,
+                   estimate);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_map_t>::value)
+    put_number(get_parameter(np, internal_np::vertex_mean_curvature_map), v, estimate.mean());
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value)
+    put_number(get_parameter(np, internal_np::vertex_Gaussian_curvature_map), v, estimate.Gaussian());
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value)
+    put(get_parameter(np, internal_np::vertex_status_map), v, estimate.status);
+}
+
+// The item isn't const if it wasn't to the caller: maps may write into it.
+template <typename Item, typename NamedParameters>
+void write_to_item(Item& item, const Curvature_estimate& estimate, const NamedParameters& np)
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  if constexpr(!is_default_parameter<NamedParameters,
+                                     internal_np::principal_curvatures_and_directions_map_t>::value)
+    put_curvatures(get_parameter(np, internal_np::principal_curvatures_and_directions_map), item, estimate);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::mean_curvature_map_t>::value)
+    put_number(get_parameter(np, internal_np::mean_curvature_map), item, estimate.mean());
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::Gaussian_curvature_map_t>::value)
+    put_number(get_parameter(np, internal_np::Gaussian_curvature_map), item, estimate.Gaussian());
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::status_map_t>::value)
+    put(get_parameter(np, internal_np::status_map), item, estimate.status);
+}
+
 // writes what there is a map for, and returns the number of vertices without an estimate
 template <typename FaceGraph, typename NamedParameters>
 std::size_t write_to_mesh(const FaceGraph& mesh,
                           const std::vector<Curvature_estimate>& estimates,
                           const NamedParameters& np)
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-
-  constexpr bool has_principal =
-      !is_default_parameter<NamedParameters,
-                            internal_np::vertex_principal_curvatures_and_directions_map_t>::value;
-  constexpr bool has_mean =
-      !is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_map_t>::value;
-  constexpr bool has_Gaussian =
-      !is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value;
-  constexpr bool has_status = !is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value;
-
   std::size_t i = 0;
   for(const auto v : vertices(mesh))
-  {
-    const Curvature_estimate& estimate = estimates[i++];
-    if constexpr(has_principal)
-      put_curvatures(get_parameter(np, internal_np::vertex_principal_curvatures_and_directions_map), v,
-                     estimate);
-    if constexpr(has_mean)
-      put_number(get_parameter(np, internal_np::vertex_mean_curvature_map), v, estimate.mean());
-    if constexpr(has_Gaussian)
-      put_number(get_parameter(np, internal_np::vertex_Gaussian_curvature_map), v, estimate.Gaussian());
-    if constexpr(has_status)
-      put(get_parameter(np, internal_np::vertex_status_map), v, estimate.status);
-    (void)v;
-  }
+    write_to_vertex(v, estimates[i++], np);
   return number_of_failures(estimates);
 }
 
-// the range isn't const if it wasn't to the caller: maps may write into its elements
+// the same with points
 template <typename PointRange, typename NamedParameters>
 std::size_t write_to_points(PointRange& points,
                             const std::vector<Curvature_estimate>& estimates,
                             const NamedParameters& np)
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-
-  constexpr bool has_principal =
-      !is_default_parameter<NamedParameters, internal_np::principal_curvatures_and_directions_map_t>::value;
-  constexpr bool has_mean = !is_default_parameter<NamedParameters, internal_np::mean_curvature_map_t>::value;
-  constexpr bool has_Gaussian =
-      !is_default_parameter<NamedParameters, internal_np::Gaussian_curvature_map_t>::value;
-  constexpr bool has_status = !is_default_parameter<NamedParameters, internal_np::status_map_t>::value;
-
   std::size_t i = 0;
   for(auto&& item : points)
-  {
-    const Curvature_estimate& estimate = estimates[i++];
-    if constexpr(has_principal)
-      put_curvatures(get_parameter(np, internal_np::principal_curvatures_and_directions_map), item, estimate);
-    if constexpr(has_mean)
-      put_number(get_parameter(np, internal_np::mean_curvature_map), item, estimate.mean());
-    if constexpr(has_Gaussian)
-      put_number(get_parameter(np, internal_np::Gaussian_curvature_map), item, estimate.Gaussian());
-    if constexpr(has_status)
-      put(get_parameter(np, internal_np::status_map), item, estimate.status);
-    (void)item;
-  }
+    write_to_item(item, estimates[i++], np);
   return number_of_failures(estimates);
 }
 

@@ -1,0 +1,490 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
+#include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
+#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+/*
+  Does what Local_hermite_rbf with a positive definite basis function does, sample by sample, but faster by an order of
+  magnitude: some fits are solved side by side, and, if fits are shared, one fit serves the samples near its center as
+  well.
+
+  Samples come in patches, each a range of an order in which close samples are close. Fits are shared within a patch; so
+  patches don't depend on each other. Without sharing, nothing depends on the patches.
+*/
+template <typename SampledSurface, typename RadialBasisFunction>
+class Batched_hermite_rbf
+{
+  using Vector = Eigen::Vector3d;
+  using Index = std::uint32_t;
+
+  // a fit to be made
+  struct Task
+  {
+    std::size_t first_point, number_of_points;  // in the workspace
+    std::size_t first_served, number_of_served; // in the workspace; the center is the first
+    Estimation_status status;
+    double scale;
+    double shape_parameter;
+    Vector trend;
+    Exact_fit_attempts exact;
+    Noisy_fit_attempts noisy;
+  };
+
+  struct Served
+  {
+    Index sample;
+    Index point; // of the task's
+  };
+
+public:
+  struct Options
+  {
+    bool normals_are_exact = false;
+    double noise_level = 1e-6; // see Local_hermite_rbf
+    bool fits_are_shared = true;
+  };
+
+  class Workspace
+  {
+    friend class Batched_hermite_rbf;
+    typename SampledSurface::Workspace m_surface;
+    Scaled_neighborhood m_neighborhood;
+    std::vector<Vector> m_points, m_normals; // of all tasks of a patch
+    std::vector<Served> m_served;
+    std::vector<Task> m_tasks, m_next_tasks;
+    std::vector<Index> m_rim;   // centers to be
+    std::vector<Index> m_order; // tasks by size
+    std::vector<Index> m_left;  // samples for which the fit of another was not good enough
+    Hermite_batch m_batch;
+  };
+
+  // `max_lanes`: fits side by side, at most
+  Batched_hermite_rbf(const SampledSurface& surface,
+                      const RadialBasisFunction& phi,
+                      const Options& options,
+                      std::size_t max_lanes = Hermite_batch::max_lanes)
+    : m_surface(surface),
+      m_phi(phi),
+      m_unit_phi(unit_shape(phi)),
+      m_options(options),
+      m_functions(Hermite_batch_functions<RadialBasisFunction>::best(max_lanes))
+  {
+    // One ring ends where served samples are.
+    const Neighborhood& neighborhood = surface.neighborhood();
+    if(neighborhood.kind() == Neighborhood::Kind::RINGS && neighborhood.count() < 2)
+      m_options.fits_are_shared = false;
+  }
+
+  /*
+    Fits the samples `samples[begin]`, ..., `samples[end - 1]` and calls `output(i, local_surface)` for each. `position` tells
+    where in `samples` a sample is, and `is_served` is scratch memory, a number for each sample of the surface, zero
+    before the call; of both, other patches read and write other parts.
+  */
+  template <typename Output>
+  void operator()(const std::vector<Index>& samples,
+                  const std::vector<Index>& position,
+                  std::size_t begin,
+                  std::size_t end,
+                  std::vector<unsigned char>& is_served,
+                  Workspace& workspace,
+                  const Output& output) const
+  {
+    workspace.m_points.clear();
+    workspace.m_normals.clear();
+    workspace.m_served.clear();
+    workspace.m_tasks.clear();
+    const auto is_free = [&](const Index j)
+    {
+      return j < position.size() && position[j] >= begin && position[j] < end && !is_served[j] &&
+             m_surface.status(j) == Estimation_status::ESTIMATED;
+    };
+    // Centers are best as far from each other as what they serve allows: the next one is the first that was found on the
+    // rim of a neighborhood.
+    std::vector<Index>& rim = workspace.m_rim;
+    rim.clear();
+    std::size_t next = 0;
+    for(std::size_t k = begin; k < end; ++k)
+      while(!is_served[samples[k]])
+      {
+        while(next < rim.size() && is_served[rim[next]])
+          ++next;
+        serve_around(next < rim.size() ? rim[next] : samples[k], is_free, is_served, workspace, output);
+      }
+    while(!workspace.m_tasks.empty())
+      make_all(workspace, output);
+  }
+
+  /*
+    The logarithm of the probability density of the data at each of `samples` and its 9 nearest neighbors, for each of
+    `noise_levels`, up to a constant for each sample; NaN where there is no fit. The levels of a sample are next to each
+    other.
+  */
+  std::vector<double> log_likelihoods(const std::vector<Index>& samples,
+                                      const std::vector<double>& noise_levels) const
+  {
+    Workspace workspace;
+    std::vector<double> result(samples.size() * noise_levels.size(),
+                               std::numeric_limits<double>::quiet_NaN());
+    for(std::size_t k = 0; k < samples.size(); ++k)
+    {
+      const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
+      if(!is_estimated(workspace.m_neighborhood.collect(m_surface, samples[k], workspace.m_surface,
+                                                        Scaled_neighborhood::nearest)))
+        continue;
+      Task task = store(neighborhood, workspace);
+      for(std::size_t level = 0; level < noise_levels.size(); ++level)
+      {
+        task.noisy = Noisy_fit_attempts(neighborhood, noise_levels[level]);
+        task.first_served = k * noise_levels.size() + level; // nothing is served: where the answer goes
+        workspace.m_tasks.push_back(task);
+      }
+    }
+    sort_by_size(workspace);
+    Hermite_batch& batch = workspace.m_batch;
+    const std::size_t lanes = m_functions.lanes;
+    for(std::size_t first = 0; first < workspace.m_tasks.size(); first += lanes)
+    {
+      const std::size_t last = (std::min)(first + lanes, workspace.m_tasks.size());
+      fill_batch(first, last, workspace);
+      batch.wants_log_likelihood = true;
+      m_functions.solve(batch, m_unit_phi);
+      for(std::size_t t = first; t < last; ++t)
+        if(batch.is_positive_definite[t - first] != 0.)
+          result[workspace.m_tasks[workspace.m_order[t]].first_served] = batch.log_likelihood[t - first];
+    }
+    return result;
+  }
+
+private:
+  // Samples that are served by the fit of another, as well as by one of their own: near its center (in units of the
+  // neighborhood's size), where the surface bends little. The next center is sought farther away.
+  static constexpr double s_served_distance = 0.75, s_rim = 1.25;
+  static constexpr double s_served_cosine = 0.97;      // of the angle between their normals
+  static constexpr double s_served_curvature = 2.;     // largest there, in units of the inverse size
+  static constexpr double s_imbalance = 0.35;          // largest distance of the centroid from the center
+  static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
+
+  static RadialBasisFunction unit_shape(const RadialBasisFunction& phi)
+  {
+    if constexpr(RadialBasisFunction::has_shape_parameter)
+      return phi.with_shape_parameter(1.);
+    else
+      return phi;
+  }
+
+  // Adds a task that serves `center` and the free samples near it.
+  template <typename Is_free, typename Output>
+  void serve_around(Index center,
+                    const Is_free& is_free,
+                    std::vector<unsigned char>& is_served,
+                    Workspace& workspace,
+                    const Output& output) const
+  {
+    is_served[center] = 1;
+    if(!add_task(center, workspace, workspace.m_tasks, output) || !m_options.fits_are_shared)
+      return;
+    Task& task = workspace.m_tasks.back();
+    if(task.status != Estimation_status::ESTIMATED || task.number_of_points < s_smallest_shared)
+      return;
+    const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
+    // Near a border, which point sets know nothing of, all the neighbors are on one side.
+    Vector sum = Vector::Zero();
+    for(const Vector& p : neighborhood.points)
+      sum += p;
+    if(sum.norm() > s_imbalance * double(neighborhood.points.size()))
+      return;
+    for(std::size_t n = 1; n < neighborhood.samples.size(); ++n)
+    {
+      const Index j = neighborhood.samples[n];
+      if(!is_free(j))
+        continue;
+      const double squared_distance = neighborhood.points[n].squaredNorm();
+      if(squared_distance > s_rim * s_rim)
+        workspace.m_rim.push_back(j);
+      else if(squared_distance < s_served_distance * s_served_distance &&
+              neighborhood.normals[n].dot(neighborhood.normals[0]) > s_served_cosine)
+      {
+        is_served[j] = 1;
+        workspace.m_served.push_back({j, Index(n)});
+        ++task.number_of_served;
+      }
+    }
+  }
+
+  // whether there is a task: else the answer has been given
+  template <typename Output>
+  bool add_task(Index i, Workspace& workspace, std::vector<Task>& tasks, const Output& output) const
+  {
+    Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
+    const Estimation_status status = neighborhood.collect(m_surface, i, workspace.m_surface,
+                                                          largest_neighborhood(m_surface.neighborhood()));
+    if(!is_estimated(status))
+    {
+      output(i, failure(status));
+      return false;
+    }
+    Task task = store(neighborhood, workspace);
+    task.status = status;
+    if(m_options.normals_are_exact)
+      task.exact = Exact_fit_attempts(neighborhood);
+    else
+      task.noisy = Noisy_fit_attempts(neighborhood, m_options.noise_level);
+    task.first_served = workspace.m_served.size();
+    task.number_of_served = 1;
+    workspace.m_served.push_back({i, 0});
+    tasks.push_back(task);
+    return true;
+  }
+
+  // a task for what was collected
+  Task store(const Scaled_neighborhood& neighborhood, Workspace& workspace) const
+  {
+    Task task;
+    task.first_point = workspace.m_points.size();
+    task.number_of_points = neighborhood.points.size();
+    task.scale = neighborhood.scale;
+    task.shape_parameter = shape_parameter_of_fit(m_phi, task.number_of_points, m_options.normals_are_exact);
+    task.trend =
+        m_options.normals_are_exact ? neighborhood.normals[0] : trend_of_noisy_fit(neighborhood.normals);
+    workspace.m_points.insert(workspace.m_points.end(), neighborhood.points.begin(),
+                              neighborhood.points.end());
+    workspace.m_normals.insert(workspace.m_normals.end(), neighborhood.normals.begin(),
+                               neighborhood.normals.end());
+    return task;
+  }
+
+  static Local_implicit_surface failure(Estimation_status status)
+  {
+    Local_implicit_surface result;
+    result.status = status;
+    return result;
+  }
+
+  // Makes all tasks, those with as many points together. What failed becomes the tasks of the next round.
+  template <typename Output>
+  void make_all(Workspace& workspace, const Output& output) const
+  {
+    workspace.m_next_tasks.clear();
+    workspace.m_left.clear();
+    sort_by_size(workspace);
+    const std::size_t lanes = m_functions.lanes;
+    for(std::size_t first = 0; first < workspace.m_tasks.size(); first += lanes)
+      make_batch(first, (std::min)(first + lanes, workspace.m_tasks.size()), workspace, output);
+
+    for(const Index i : workspace.m_left)
+      add_task(i, workspace, workspace.m_next_tasks, output);
+    std::swap(workspace.m_tasks, workspace.m_next_tasks);
+  }
+
+  // `m_order`: the largest tasks first; of those, the ones that serve most
+  static void sort_by_size(Workspace& workspace)
+  {
+    const std::vector<Task>& tasks = workspace.m_tasks;
+    workspace.m_order.resize(tasks.size());
+    std::iota(workspace.m_order.begin(), workspace.m_order.end(), Index(0));
+    std::sort(workspace.m_order.begin(), workspace.m_order.end(),
+              [&](const Index a, const Index b)
+              {
+                const Task &t = tasks[a], &u = tasks[b];
+                if(t.number_of_points != u.number_of_points)
+                  return t.number_of_points > u.number_of_points;
+                return t.number_of_served != u.number_of_served ? t.number_of_served > u.number_of_served
+                                                                : a < b;
+              });
+  }
+
+  // the task of a lane, if the batch is made of those from `m_order[first]` to `m_order[last - 1]`; lanes to spare
+  // repeat the last one
+  static const Task&
+  task_of(std::size_t lane, std::size_t first, std::size_t last, const Workspace& workspace)
+  {
+    return workspace.m_tasks[workspace.m_order[(std::min)(first + lane, last - 1)]];
+  }
+
+  // sets up the tasks from `m_order[first]`, the largest, to `m_order[last - 1]` in a batch
+  void fill_batch(std::size_t first, std::size_t last, Workspace& workspace) const
+  {
+    Hermite_batch& batch = workspace.m_batch;
+    batch.clear(m_functions.lanes, task_of(0, first, last, workspace).number_of_points,
+                m_options.normals_are_exact ? Hermite_equations::TANGENTS : Hermite_equations::GRADIENTS);
+    for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
+      fill_lane(task_of(lane, first, last, workspace), lane, workspace);
+  }
+
+  // data of a task, its points scaled by the shape parameter: values are so as well
+  void fill_lane(const Task& task, std::size_t lane, Workspace& workspace) const
+  {
+    Hermite_batch& batch = workspace.m_batch;
+    const double unit = task.shape_parameter;
+    const Vector* const points = workspace.m_points.data() + task.first_point;
+    const Vector* const normals = workspace.m_normals.data() + task.first_point;
+    for(std::size_t k = 0; k < batch.centers(); ++k)
+    {
+      const std::size_t point = k < task.number_of_points ? k : 0;
+      batch.set_vector(batch.points, 3 * k, lane, unit * points[point]);
+      if(batch.equations() == Hermite_equations::TANGENTS)
+      {
+        Vector t1, t2;
+        tangent_basis(normals[point], t1, t2);
+        batch.set_vector(batch.directions, 6 * k, lane, t1);
+        batch.set_vector(batch.directions, 6 * k + 3, lane, t2);
+      }
+      else
+        batch.set_vector(batch.directions, 3 * k, lane, normals[point]);
+    }
+    const bool is_exact = m_options.normals_are_exact;
+    const double value_variance = is_exact ? task.exact.value_variance() : task.noisy.value_variance();
+    batch.set_vector(batch.trend, 0, lane, task.trend);
+    batch.set_count(lane, task.number_of_points);
+    batch.set(batch.value_noise, 0, lane, unit * unit * value_variance);
+    batch.set(batch.derivative_noise, 0, lane,
+              is_exact ? task.exact.derivative_variance() : task.noisy.derivative_variance());
+  }
+
+  template <typename Output>
+  void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const
+  {
+    Hermite_batch& batch = workspace.m_batch;
+    fill_batch(first, last, workspace);
+    batch.wants_log_likelihood = false;
+    m_functions.solve(batch, m_unit_phi);
+
+    std::size_t most_served = 0;
+    for(std::size_t lane = 0; first + lane < last; ++lane)
+      most_served = (std::max)(most_served, task_of(lane, first, last, workspace).number_of_served);
+    for(std::size_t s = 0; s < most_served; ++s)
+    {
+      std::array<Vector, Hermite_batch::max_lanes> displacement;
+      const auto set_where = [&](const std::size_t lane)
+      {
+        const Task& task = task_of(lane, first, last, workspace);
+        Vector x = displacement[lane];
+        if(s < task.number_of_served)
+          x += workspace.m_points[task.first_point + workspace.m_served[task.first_served + s].point];
+        batch.set_vector(batch.where, 0, lane, task.shape_parameter * x);
+      };
+      for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
+      {
+        displacement[lane].setZero();
+        set_where(lane);
+      }
+      m_functions.evaluate(batch, m_unit_phi);
+      if(!m_options.normals_are_exact)
+      {
+        std::array<bool, Hermite_batch::max_lanes> moves{};
+        const auto step = [&](const std::size_t lane)
+        {
+          Hermite_jet jet = batch.jet_of(lane);
+          jet.value /= task_of(lane, first, last, workspace).shape_parameter;
+          step_to_zero_set(jet, displacement[lane]);
+        };
+        for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
+        {
+          step(lane);
+          moves[lane] = !is_negligible(displacement[lane]);
+          if(moves[lane])
+            set_where(lane);
+        }
+        if(std::find(moves.begin(), moves.end(), true) != moves.end())
+        {
+          m_functions.evaluate_value(batch, m_unit_phi);
+          for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
+            if(moves[lane])
+            {
+              step(lane);
+              set_where(lane);
+            }
+          m_functions.evaluate(batch, m_unit_phi); // where nothing moved, with the same result
+        }
+      }
+      for(std::size_t lane = 0; first + lane < last; ++lane)
+        if(const Task& task = task_of(lane, first, last, workspace); s < task.number_of_served)
+          answer(task, s, lane, displacement[lane], workspace, output);
+    }
+  }
+
+  // gives the answer of a fit for the `s`-th sample it serves, or sees to it that there is another attempt
+  template <typename Output>
+  void answer(const Task& task,
+              std::size_t s,
+              std::size_t lane,
+              const Vector& displacement,
+              Workspace& workspace,
+              const Output& output) const
+  {
+    const Served served = workspace.m_served[task.first_served + s];
+    const bool is_solved = workspace.m_batch.is_positive_definite[lane] != 0.;
+    const double unit = task.shape_parameter;
+    const Hermite_jet jet = workspace.m_batch.jet_of(lane);
+    Fit_quality quality = workspace.m_batch.quality_of(lane);
+    quality.largest_curvature *= unit;
+    bool is_surface = false, is_accepted = false;
+    if(is_solved && jet.gradient.allFinite() && jet.hessian.allFinite())
+    {
+      if(m_options.normals_are_exact)
+        is_accepted = Exact_fit_attempts::is_surface(
+            quality, jet.gradient.dot(workspace.m_normals[task.first_point + served.point]));
+      else
+      {
+        is_surface = Noisy_fit_attempts::is_surface(quality, displacement);
+        is_accepted = is_surface && Noisy_fit_attempts::is_plausible(quality);
+      }
+    }
+    if(s > 0 && !(is_accepted && quality.largest_curvature < s_served_curvature))
+    {
+      workspace.m_left.push_back(served.sample);
+      return;
+    }
+    if(!is_accepted)
+    {
+      Task again = task;
+      again.number_of_served = 1;
+      const bool go_on = m_options.normals_are_exact ? again.exact.next()
+                         : is_solved                 ? again.noisy.next(is_surface)
+                                                     : again.noisy.next_if_indefinite();
+      if(go_on)
+        workspace.m_next_tasks.push_back(again);
+      else
+        output(served.sample, failure(Estimation_status::DEGENERATE));
+      return;
+    }
+
+    Local_implicit_surface result;
+    result.status = m_surface.status(served.sample);
+    result.gradient = jet.gradient;
+    result.hessian = jet.hessian * (unit / task.scale);
+    result.displacement = task.scale * displacement;
+    output(served.sample, result);
+  }
+
+  const SampledSurface& m_surface;
+  RadialBasisFunction m_phi, m_unit_phi;
+  Options m_options;
+  Hermite_batch_functions<RadialBasisFunction> m_functions;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H

@@ -1,0 +1,166 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
+
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// the equations of a system
+enum class Hermite_equations
+{
+  TANGENTS, // value and both tangential derivatives at each center, and the derivative along the normal at the first: 3m + 1
+  GRADIENTS // value and gradient at each center: 4m
+};
+
+/*
+  Data, matrices and solutions of some systems of equations that are solved side by side, one in each lane: those of
+  Hermite_system, with values 0 and normals for derivatives, and a positive definite basis function of shape parameter 1
+  (the points are scaled by it). Number `k` of lane `l` is at `k * lanes + l` of each array.
+
+  A lane with fewer centers than the others computes with zeros for those it lacks, which leaves its result as it is,
+  to the last bit.
+*/
+class Hermite_batch
+{
+public:
+  static constexpr std::size_t max_lanes = 8;
+
+  Hermite_batch() { m_memory.resize(1); }
+
+  // begins with a batch for up to `max_centers` centers in each of `lanes` systems
+  void clear(std::size_t lanes, std::size_t max_centers, Hermite_equations equations)
+  {
+    m_lanes = lanes;
+    m_centers = max_centers;
+    m_equations = equations;
+    number_of_equations = equations == Hermite_equations::TANGENTS ? 3 * max_centers + 1 : 4 * max_centers;
+    panels = (number_of_equations + 3) / 4;
+    const std::size_t direction_size = equations == Hermite_equations::TANGENTS ? 6 : 3;
+    const std::array<std::size_t, 8> sizes = {3 * max_centers,              // points
+                                              direction_size * max_centers, // directions
+                                              3,                            // trend
+                                              3,                            // counts, noise
+                                              4 * panels,                   // solution
+                                              4 * max_centers,              // weights
+                                              3 + s_jet,                    // evaluation
+                                              8 * panels * (panels + 1)};   // matrix
+    std::size_t size = 0;
+    for(const std::size_t s : sizes)
+      size += s * lanes;
+    if(m_memory.size() * s_line < size + s_line)
+      m_memory.resize(size / s_line + 2);
+    double* begin = m_memory[0].numbers;
+    const auto next = [&](const std::size_t k)
+    {
+      double* result = begin;
+      begin += sizes[k] * lanes;
+      return result;
+    };
+    points = next(0);
+    directions = next(1);
+    trend = next(2);
+    count = next(3);
+    value_noise = count + lanes;
+    derivative_noise = value_noise + lanes;
+    solution = next(4);
+    weights = next(5);
+    where = next(6);
+    jet = where + 3 * lanes;
+    matrix = next(7);
+    smallest_count = max_centers;
+  }
+
+  std::size_t lanes() const { return m_lanes; }
+  std::size_t centers() const { return m_centers; }
+  Hermite_equations equations() const { return m_equations; }
+
+  void set(double* array, std::size_t k, std::size_t lane, double value)
+  {
+    array[k * m_lanes + lane] = value;
+  }
+  double get(const double* array, std::size_t k, std::size_t lane) const { return array[k * m_lanes + lane]; }
+
+  // three numbers from number `k` on
+  void set_vector(double* array, std::size_t k, std::size_t lane, const Eigen::Vector3d& v)
+  {
+    set(array, k, lane, v.x());
+    set(array, k + 1, lane, v.y());
+    set(array, k + 2, lane, v.z());
+  }
+
+  void set_count(std::size_t lane, std::size_t number_of_centers)
+  {
+    set(count, 0, lane, double(number_of_centers));
+    smallest_count = (std::min)(smallest_count, number_of_centers);
+  }
+
+  // what was evaluated in a lane
+  Hermite_jet jet_of(std::size_t lane) const
+  {
+    Hermite_jet result;
+    result.value = get(jet, 0, lane);
+    for(std::size_t c = 0; c < 3; ++c)
+      result.gradient[Eigen::Index(c)] = get(jet, 1 + c, lane);
+    const double xx = get(jet, 4, lane), xy = get(jet, 5, lane), xz = get(jet, 6, lane),
+                 yy = get(jet, 7, lane), yz = get(jet, 8, lane), zz = get(jet, 9, lane);
+    result.hessian << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+    return result;
+  }
+
+  // of what was evaluated in a lane; its curvature is that of the scaled points
+  Fit_quality quality_of(std::size_t lane) const
+  {
+    Fit_quality quality;
+    quality.gradient_length = get(jet, 10, lane);
+    quality.largest_curvature = get(jet, 11, lane);
+    return quality;
+  }
+
+  // first number of panel `p` of the matrix: of four rows of the lower triangle, column by column
+  static std::size_t panel(std::size_t p) { return 8 * p * (p + 1); }
+
+  static constexpr std::size_t s_jet = 12; // value, gradient, upper triangle of the Hessian matrix, quality
+
+  std::size_t number_of_equations = 0, panels = 0;
+  bool wants_log_likelihood = false;
+  std::size_t smallest_count = 0; // centers that no lane lacks
+  double* points = nullptr;       // 3 numbers for each center
+  double* directions = nullptr;   // of TANGENTS both tangents, else the normal
+  double* trend = nullptr;        // 3 numbers; of TANGENTS also the normal of the first center
+  double* count = nullptr;        // number of centers
+  double* value_noise = nullptr;  // variances, added to the diagonal
+  double* derivative_noise = nullptr;
+  double* solution = nullptr;
+  double* weights = nullptr; // of the basis function and its gradient: 4 numbers for each center
+  double* where = nullptr;   // point to evaluate at
+  double* jet = nullptr;     // what was evaluated there
+  double* matrix = nullptr;  // after solving: its Cholesky factor, with inverse diagonal
+  alignas(64) std::array<double, max_lanes> is_positive_definite{}; // after solving: 1 or 0
+  alignas(64) std::array<double, max_lanes> log_likelihood{}; // after solving, if wanted: up to a constant
+
+private:
+  static constexpr std::size_t s_line = 8;
+  struct alignas(64) Line
+  {
+    double numbers[s_line];
+  };
+
+  std::size_t m_lanes = 1;
+  std::size_t m_centers = 0;
+  Hermite_equations m_equations = Hermite_equations::TANGENTS;
+  std::vector<Line> m_memory;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H

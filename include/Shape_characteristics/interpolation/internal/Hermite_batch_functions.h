@@ -1,0 +1,89 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_FUNCTIONS_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_FUNCTIONS_H
+
+#include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_batch_solver.h>
+
+#include <cstddef>
+
+namespace Shape_characteristics {
+namespace internal {
+
+/*
+  Hermite_batch_solver, compiled for several instruction sets, and the choice of the widest that the processor has: the
+  program need not have been compiled for it. Widths of 4 and 8 give the same bits; that of 2 has no fused
+  multiplication and addition, unless the whole program was compiled with it.
+*/
+template <typename RadialBasisFunction>
+struct Hermite_batch_functions
+{
+  using Function = void (*)(Hermite_batch&, const RadialBasisFunction&);
+
+  std::size_t lanes;
+  Function solve;
+  Function evaluate;       // value, gradient, Hessian matrix
+  Function evaluate_value; // value and gradient
+
+  // the widest that has no more than `max_lanes` lanes
+  static Hermite_batch_functions best(std::size_t max_lanes = Hermite_batch::max_lanes)
+  {
+#if defined(__GNUC__) && defined(__x86_64__)
+    if(max_lanes >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+       __builtin_cpu_supports("avx512vl"))
+      return {8, solve_8, evaluate_8<true>, evaluate_8<false>};
+    if(max_lanes >= 4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+      return {4, solve_4, evaluate_4<true>, evaluate_4<false>};
+#endif
+#if defined(__GNUC__)
+    if(max_lanes >= 2)
+      return {2, solve_plain<2>, evaluate_plain<2, true>, evaluate_plain<2, false>};
+#else
+    (void)max_lanes;
+#endif
+    return {1, solve_plain<1>, evaluate_plain<1, true>, evaluate_plain<1, false>};
+  }
+
+private:
+#if defined(__GNUC__) && defined(__x86_64__)
+  [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]] static void solve_8(Hermite_batch& batch,
+                                                                            const RadialBasisFunction& phi)
+  {
+    Hermite_batch_solver<8, RadialBasisFunction>::solve(batch, phi);
+  }
+
+  template <bool with_hessian>
+  [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma")]] static void evaluate_8(Hermite_batch& batch,
+                                                                               const RadialBasisFunction& phi)
+  {
+    Hermite_batch_solver<8, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+  }
+
+  [[gnu::target("avx2,fma")]] static void solve_4(Hermite_batch& batch, const RadialBasisFunction& phi)
+  {
+    Hermite_batch_solver<4, RadialBasisFunction>::solve(batch, phi);
+  }
+
+  template <bool with_hessian>
+  [[gnu::target("avx2,fma")]] static void evaluate_4(Hermite_batch& batch, const RadialBasisFunction& phi)
+  {
+    Hermite_batch_solver<4, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+  }
+#endif
+
+  template <int n>
+  static void solve_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
+  {
+    Hermite_batch_solver<n, RadialBasisFunction>::solve(batch, phi);
+  }
+
+  template <int n, bool with_hessian>
+  static void evaluate_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
+  {
+    Hermite_batch_solver<n, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+  }
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_FUNCTIONS_H

@@ -1,0 +1,489 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
+
+#include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
+#include <Shape_characteristics/interpolation/internal/Lanes.h>
+#include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace Shape_characteristics {
+namespace internal {
+
+/*
+  Assembles, factorizes and evaluates the systems of a Hermite_batch, `n` at a time. Hermite_system says what the equations are.
+
+  The lower triangle of the matrix lies in panels of four rows, column by column, so that the innermost loop of the
+  factorization reads two panels from front to back, and each number it reads is used four times.
+*/
+template <int n, typename RadialBasisFunction>
+class Hermite_batch_solver
+{
+  using V = Lanes<n>;
+  using Basis_function = Basis_function_on_lanes<RadialBasisFunction>;
+
+public:
+  [[gnu::always_inline]] static void solve(Hermite_batch& batch, const RadialBasisFunction& phi)
+  {
+    if(batch.equations() == Hermite_equations::TANGENTS)
+      assemble_tangents(batch, Basis_function(phi));
+    else
+      assemble_gradients(batch, Basis_function(phi));
+    factorize(batch);
+    collect_weights(batch);
+  }
+
+  // the function at `batch.where`; its second derivatives are left alone unless `with_hessian`
+  template <bool with_hessian>
+  [[gnu::always_inline]] static void evaluate(Hermite_batch& batch, const RadialBasisFunction& phi)
+  {
+    const Basis_function basis_function(phi);
+    const V* const points = vectors(batch.points);
+    const V* const weights = vectors(batch.weights);
+    const V* const trend = vectors(batch.trend);
+    const V* const where = vectors(batch.where);
+    const V x = where[0], y = where[1], z = where[2];
+    V value = trend[0] * x + trend[1] * y + trend[2] * z;
+    V gx = trend[0], gy = trend[1], gz = trend[2];
+    V trace{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+    for(std::size_t j = 0; j < batch.centers(); ++j)
+    {
+      const V dx = x - points[3 * j], dy = y - points[3 * j + 1], dz = z - points[3 * j + 2];
+      const V alpha = weights[4 * j], bx = weights[4 * j + 1], by = weights[4 * j + 2],
+              bz = weights[4 * j + 3];
+      V phi_j, A, B, C;
+      basis_function.template operator()<with_hessian>(V(dx * dx + dy * dy + dz * dz), phi_j, A, B, C);
+      const V s = bx * dx + by * dy + bz * dz;
+      const V first = alpha * A - B * s;
+      value += alpha * phi_j - A * s;
+      gx += first * dx - A * bx;
+      gy += first * dy - A * by;
+      gz += first * dz - A * bz;
+      if constexpr(with_hessian)
+      {
+        // second d d^T - B (b d^T + d b^T), as the symmetric part of d e^T
+        const V second = alpha * B - C * s;
+        const V ex = second * dx - 2. * B * bx, ey = second * dy - 2. * B * by,
+                ez = second * dz - 2. * B * bz;
+        trace += first;
+        xx += dx * ex;
+        yy += dy * ey;
+        zz += dz * ez;
+        xy += dx * ey + dy * ex;
+        xz += dx * ez + dz * ex;
+        yz += dy * ez + dz * ey;
+      }
+    }
+    V* const jet = vectors(batch.jet);
+    jet[0] = value;
+    jet[1] = gx;
+    jet[2] = gy;
+    jet[3] = gz;
+    if constexpr(with_hessian)
+    {
+      xx += trace;
+      yy += trace;
+      zz += trace;
+      xy *= 0.5;
+      xz *= 0.5;
+      yz *= 0.5;
+      jet[4] = xx;
+      jet[5] = xy;
+      jet[6] = xz;
+      jet[7] = yy;
+      jet[8] = yz;
+      jet[9] = zz;
+
+      // Fit_quality says what this is
+      const V squared_length = gx * gx + gy * gy + gz * gz + 1e-280;
+      V inverse_length, inverse_root;
+      inverse_sqrt(squared_length, inverse_length);
+      const V nx = gx * inverse_length, ny = gy * inverse_length, nz = gz * inverse_length;
+      const V ix = xx * nx + xy * ny + xz * nz, iy = xy * nx + yy * ny + yz * nz,
+              iz = xz * nx + yz * ny + zz * nz;
+      const V along_normal = nx * ix + ny * iy + nz * iz;
+      V square = (xx * xx + yy * yy + zz * zz) + 2. * (xy * xy + xz * xz + yz * yz) -
+                 2. * (ix * ix + iy * iy + iz * iz) + along_normal * along_normal;
+      square = square > 1e-280 ? square : V{} + 1e-280;
+      inverse_sqrt(square, inverse_root);
+      jet[10] = squared_length * inverse_length;
+      jet[11] = square * inverse_root * inverse_length;
+    }
+  }
+
+private:
+  [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
+
+  // 1 where a lane has center `i`
+  [[gnu::always_inline]] static void presence(const Hermite_batch& batch, std::size_t i, V& present)
+  {
+    V one, zero{};
+    set_lanes(one, 1.);
+    const V& count = *vectors(batch.count);
+    present = count > double(i) ? one : zero;
+  }
+
+  // the basis function of center `j` at center `i`, or 0 in lanes that lack `i`; `j <= i`
+  [[gnu::always_inline]] static void relate(Hermite_batch& batch,
+                                            const Basis_function& basis_function,
+                                            std::size_t i,
+                                            std::size_t j,
+                                            const V& present,
+                                            V& dx,
+                                            V& dy,
+                                            V& dz,
+                                            V& phi,
+                                            V& A,
+                                            V& B)
+  {
+    const V* const points = vectors(batch.points);
+    dx = points[3 * i] - points[3 * j];
+    dy = points[3 * i + 1] - points[3 * j + 1];
+    dz = points[3 * i + 2] - points[3 * j + 2];
+    V unused;
+    basis_function.template operator()<false>(V(dx * dx + dy * dy + dz * dz), phi, A, B, unused);
+    if(i >= batch.smallest_count)
+    {
+      phi = phi * present;
+      A = A * present;
+      B = B * present;
+    }
+  }
+
+  // where row `r` begins
+  [[gnu::always_inline]] static V* row(V* matrix, std::size_t r)
+  {
+    return matrix + Hermite_batch::panel(r / 4) + r % 4;
+  }
+
+  // equations of lanes that end within the last panel: unit rows
+  [[gnu::always_inline]] static void fill_last_panel(Hermite_batch& batch)
+  {
+    V* const matrix = vectors(batch.matrix);
+    V* const solution = vectors(batch.solution);
+    for(std::size_t r = batch.number_of_equations; r < 4 * batch.panels; ++r)
+    {
+      V* const entries = row(matrix, r);
+      for(std::size_t c = 0; c < 4 * batch.panels; ++c)
+        entries[4 * c] = V{};
+      set_lanes(entries[4 * r], 1.);
+      solution[r] = V{};
+    }
+  }
+
+  [[gnu::always_inline]] static void assemble_gradients(Hermite_batch& batch,
+                                                        const Basis_function& basis_function)
+  {
+    V* const matrix = vectors(batch.matrix);
+    V* const solution = vectors(batch.solution);
+    const V* const points = vectors(batch.points);
+    const V* const normals = vectors(batch.directions);
+    const V* const trend = vectors(batch.trend);
+    const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
+    const V tx = trend[0], ty = trend[1], tz = trend[2];
+    for(std::size_t i = 0; i < batch.centers(); ++i)
+    {
+      V present;
+      presence(batch, i, present);
+      const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+      V* const entries = matrix + Hermite_batch::panel(i);
+      for(std::size_t j = 0; j <= i; ++j)
+      {
+        V dx, dy, dz, phi, A, B;
+        relate(batch, basis_function, i, j, present, dx, dy, dz, phi, A, B);
+        V* const block = entries + 16 * j;
+        const V Ax = A * dx, Ay = A * dy, Az = A * dz;
+        const V Bx = B * dx, By = B * dy, Bz = B * dz;
+        const V xy = -Bx * dy, xz = -Bx * dz, yz = -By * dz;
+        block[0] = phi;
+        block[1] = Ax;
+        block[2] = Ay;
+        block[3] = Az;
+        block[4] = -Ax;
+        block[5] = -A - Bx * dx;
+        block[6] = xy;
+        block[7] = xz;
+        block[8] = -Ay;
+        block[9] = xy;
+        block[10] = -A - By * dy;
+        block[11] = yz;
+        block[12] = -Az;
+        block[13] = xz;
+        block[14] = yz;
+        block[15] = -A - Bz * dz;
+      }
+      const V absent = 1. - present;
+      V* const diagonal = entries + 16 * i;
+      diagonal[0] += value_noise + absent;
+      diagonal[5] += derivative_noise + absent;
+      diagonal[10] += derivative_noise + absent;
+      diagonal[15] += derivative_noise + absent;
+      solution[4 * i] = -present * (tx * x + ty * y + tz * z);
+      solution[4 * i + 1] = present * (normals[3 * i] - tx);
+      solution[4 * i + 2] = present * (normals[3 * i + 1] - ty);
+      solution[4 * i + 3] = present * (normals[3 * i + 2] - tz);
+    }
+  }
+
+  // Rows 0 to 3 are those of the first center: value, tangents, normal; then come three of each center.
+  [[gnu::always_inline]] static void assemble_tangents(Hermite_batch& batch,
+                                                       const Basis_function& basis_function)
+  {
+    V* const matrix = vectors(batch.matrix);
+    V* const solution = vectors(batch.solution);
+    const V* const points = vectors(batch.points);
+    const V* const tangents = vectors(batch.directions);
+    const V* const trend = vectors(batch.trend);
+    const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
+    const V tx = trend[0], ty = trend[1], tz = trend[2];
+    for(std::size_t i = 0; i < batch.centers(); ++i)
+    {
+      V present;
+      presence(batch, i, present);
+      const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+      const V ux = tangents[6 * i], uy = tangents[6 * i + 1], uz = tangents[6 * i + 2];
+      const V vx = tangents[6 * i + 3], vy = tangents[6 * i + 4], vz = tangents[6 * i + 5];
+      const std::size_t first_row = i == 0 ? 0 : 3 * i + 1;
+      V* const value_row = row(matrix, first_row);
+      V* const u_row = row(matrix, first_row + 1);
+      V* const v_row = row(matrix, first_row + 2);
+      V* const normal_row = row(matrix, 3); // of the first center only
+      for(std::size_t j = 0; j <= i; ++j)
+      {
+        V dx, dy, dz, phi, A, B;
+        relate(batch, basis_function, i, j, present, dx, dy, dz, phi, A, B);
+        const V ud = ux * dx + uy * dy + uz * dz, vd = vx * dx + vy * dy + vz * dz;
+        const V Bud = B * ud, Bvd = B * vd;
+        std::size_t column = 4 * (j == 0 ? 0 : 3 * j + 1);
+        value_row[column] = phi;
+        u_row[column] = A * ud;
+        v_row[column] = A * vd;
+        // - A (u.w) - B (u.d) (w.d) = - (A u + B (u.d) d) . w
+        const V px = A * ux + Bud * dx, py = A * uy + Bud * dy, pz = A * uz + Bud * dz;
+        const V qx = A * vx + Bvd * dx, qy = A * vy + Bvd * dy, qz = A * vz + Bvd * dz;
+        for(std::size_t k = 0; k < 2; ++k)
+        {
+          column += 4;
+          const V wx = tangents[6 * j + 3 * k], wy = tangents[6 * j + 3 * k + 1],
+                  wz = tangents[6 * j + 3 * k + 2];
+          value_row[column] = -(A * (wx * dx + wy * dy + wz * dz));
+          u_row[column] = -(px * wx + py * wy + pz * wz);
+          v_row[column] = -(qx * wx + qy * wy + qz * wz);
+        }
+        if(j == 0)
+        {
+          column += 4;
+          value_row[column] = -(A * (tx * dx + ty * dy + tz * dz));
+          u_row[column] = -(px * tx + py * ty + pz * tz);
+          v_row[column] = -(qx * tx + qy * ty + qz * tz);
+          if(i == 0) // d = 0
+          {
+            normal_row[0] = V{};
+            normal_row[4] = -A * (tx * ux + ty * uy + tz * uz);
+            normal_row[8] = -A * (tx * vx + ty * vy + tz * vz);
+            normal_row[12] = -A * (tx * tx + ty * ty + tz * tz) + derivative_noise;
+          }
+        }
+      }
+      const V absent = 1. - present;
+      value_row[4 * first_row] += value_noise + absent;
+      u_row[4 * (first_row + 1)] += derivative_noise + absent;
+      v_row[4 * (first_row + 2)] += derivative_noise + absent;
+      solution[first_row] = -present * (tx * x + ty * y + tz * z);
+      solution[first_row + 1] = -present * (tx * ux + ty * uy + tz * uz);
+      solution[first_row + 2] = -present * (tx * vx + ty * vy + tz * vz);
+    }
+    solution[3] = 1. - (tx * tx + ty * ty + tz * tz);
+    fill_last_panel(batch);
+  }
+
+  // tile -= rows * columns^T, over `length` columns: `columns` of the four columns, beginning with `begin`
+  template <int begin, std::size_t... k>
+  [[gnu::always_inline]] static void
+  update(const V* rows, const V* columns, std::size_t length, V* tile, std::index_sequence<k...>)
+  {
+    constexpr std::size_t width = sizeof...(k) / 4;
+    V sum[] = {tile[4 * (begin + k % width) + k / width]...};
+    for(std::size_t c = 0; c < length; ++c, rows += 4, columns += 4)
+      ((sum[k] -= rows[k / width] * columns[begin + k % width]), ...);
+    ((tile[4 * (begin + k % width) + k / width] = sum[k]), ...);
+  }
+
+  // as many columns at once as there are registers for their sums
+  [[gnu::always_inline]] static void update_tile(const V* rows, const V* columns, std::size_t length, V* tile)
+  {
+    if constexpr(n == 8)
+      update<0>(rows, columns, length, tile, std::make_index_sequence<16>());
+    else
+    {
+      update<0>(rows, columns, length, tile, std::make_index_sequence<8>());
+      update<2>(rows, columns, length, tile, std::make_index_sequence<8>());
+    }
+  }
+
+  // Cholesky's method, and both substitutions. The diagonal of the factor is inverted.
+  [[gnu::always_inline]] static void factorize(Hermite_batch& batch)
+  {
+    V* const matrix = vectors(batch.matrix);
+    V* const solution = vectors(batch.solution);
+    V ok, one;
+    set_lanes(ok, 1.);
+    set_lanes(one, 1.);
+    for(std::size_t p = 0; p < batch.panels; ++p)
+    {
+      const V* const own = matrix + Hermite_batch::panel(p);
+      V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
+      update_tile(own, own, 4 * p, corner);
+
+      // the corner: entry (r, c) at 4 c + r
+      const V& l00 = corner[0];
+      invert_pivot(corner[0], ok, one);
+      corner[1] *= l00;
+      corner[2] *= l00;
+      corner[3] *= l00;
+      corner[5] -= corner[1] * corner[1];
+      invert_pivot(corner[5], ok, one);
+      corner[6] = (corner[6] - corner[2] * corner[1]) * corner[5];
+      corner[7] = (corner[7] - corner[3] * corner[1]) * corner[5];
+      corner[10] = corner[10] - corner[2] * corner[2] - corner[6] * corner[6];
+      invert_pivot(corner[10], ok, one);
+      corner[11] = (corner[11] - corner[3] * corner[2] - corner[7] * corner[6]) * corner[10];
+      corner[15] = corner[15] - corner[3] * corner[3] - corner[7] * corner[7] - corner[11] * corner[11];
+      invert_pivot(corner[15], ok, one);
+
+      substitute_forward(own, corner, p, solution);
+
+      const V i0 = corner[0], i1 = corner[5], i2 = corner[10], i3 = corner[15];
+      const V l10 = corner[1], l20 = corner[2], l30 = corner[3], l21 = corner[6], l31 = corner[7],
+              l32 = corner[11];
+      for(std::size_t q = p + 1; q < batch.panels; ++q)
+      {
+        const V* const rows = matrix + Hermite_batch::panel(q);
+        V* const tile = matrix + Hermite_batch::panel(q) + 16 * p;
+        update_tile(rows, own, 4 * p, tile);
+        for(int r = 0; r < 4; ++r)
+        {
+          const V x0 = tile[r] * i0;
+          const V x1 = (tile[4 + r] - x0 * l10) * i1;
+          const V x2 = (tile[8 + r] - x0 * l20 - x1 * l21) * i2;
+          const V x3 = (tile[12 + r] - x0 * l30 - x1 * l31 - x2 * l32) * i3;
+          tile[r] = x0;
+          tile[4 + r] = x1;
+          tile[8 + r] = x2;
+          tile[12 + r] = x3;
+        }
+      }
+    }
+    if(batch.wants_log_likelihood)
+      find_log_likelihood(batch);
+    substitute_backward(batch);
+    *reinterpret_cast<V*>(batch.is_positive_definite.data()) = ok;
+  }
+
+  // A pivot that isn't positive tells that the matrix isn't positive definite in floating point.
+  [[gnu::always_inline]] static void invert_pivot(V& pivot, V& ok, const V& one)
+  {
+    const V zero{};
+    const V usable = pivot > 1e-280 ? pivot : one;
+    ok = pivot > 1e-280 ? ok : zero;
+    inverse_sqrt(usable, pivot);
+  }
+
+  [[gnu::always_inline]] static void
+  substitute_forward(const V* rows, const V* corner, std::size_t p, V* solution)
+  {
+    V* const mine = solution + 4 * p;
+    V y0 = mine[0], y1 = mine[1], y2 = mine[2], y3 = mine[3];
+    for(std::size_t c = 0; c < 4 * p; ++c)
+    {
+      const V y = solution[c];
+      y0 -= rows[4 * c] * y;
+      y1 -= rows[4 * c + 1] * y;
+      y2 -= rows[4 * c + 2] * y;
+      y3 -= rows[4 * c + 3] * y;
+    }
+    y0 = y0 * corner[0];
+    y1 = (y1 - corner[1] * y0) * corner[5];
+    y2 = (y2 - corner[2] * y0 - corner[6] * y1) * corner[10];
+    y3 = (y3 - corner[3] * y0 - corner[7] * y1 - corner[11] * y2) * corner[15];
+    mine[0] = y0;
+    mine[1] = y1;
+    mine[2] = y2;
+    mine[3] = y3;
+  }
+
+  [[gnu::always_inline]] static void substitute_backward(Hermite_batch& batch)
+  {
+    const V* const matrix = vectors(batch.matrix);
+    V* const solution = vectors(batch.solution);
+    for(std::size_t p = batch.panels; p-- > 0;)
+    {
+      const V* const rows = matrix + Hermite_batch::panel(p);
+      const V* const corner = rows + 16 * p;
+      V* const mine = solution + 4 * p;
+      const V x3 = mine[3] * corner[15];
+      const V x2 = (mine[2] - corner[11] * x3) * corner[10];
+      const V x1 = (mine[1] - corner[6] * x2 - corner[7] * x3) * corner[5];
+      const V x0 = (mine[0] - corner[1] * x1 - corner[2] * x2 - corner[3] * x3) * corner[0];
+      mine[0] = x0;
+      mine[1] = x1;
+      mine[2] = x2;
+      mine[3] = x3;
+      for(std::size_t c = 0; c < 4 * p; ++c)
+        solution[c] -= rows[4 * c] * x0 + rows[4 * c + 1] * x1 + rows[4 * c + 2] * x2 + rows[4 * c + 3] * x3;
+    }
+  }
+
+  // between the substitutions
+  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch)
+  {
+    const V* const solution = vectors(batch.solution);
+    const V* const matrix = vectors(batch.matrix);
+    V square{}, product;
+    set_lanes(product, 1.);
+    for(std::size_t r = 0; r < batch.number_of_equations; ++r)
+      square += solution[r] * solution[r];
+    *reinterpret_cast<V*>(batch.log_likelihood.data()) = -0.5 * square;
+    // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
+    for(std::size_t p = 0; p < batch.panels; ++p)
+    {
+      const V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
+      const V inverse = (corner[0] * corner[5]) * (corner[10] * corner[15]);
+      const double* const numbers = reinterpret_cast<const double*>(&inverse);
+      for(int lane = 0; lane < n; ++lane)
+        batch.log_likelihood[std::size_t(lane)] += std::log(numbers[lane]);
+    }
+  }
+
+  // what the solution says about the basis function at each center and its gradient
+  [[gnu::always_inline]] static void collect_weights(Hermite_batch& batch)
+  {
+    const V* const solution = vectors(batch.solution);
+    V* const weights = vectors(batch.weights);
+    if(batch.equations() == Hermite_equations::GRADIENTS)
+    {
+      for(std::size_t k = 0; k < 4 * batch.centers(); ++k)
+        weights[k] = solution[k];
+      return;
+    }
+    const V* const tangents = vectors(batch.directions);
+    const V* const trend = vectors(batch.trend);
+    for(std::size_t j = 0; j < batch.centers(); ++j)
+    {
+      const std::size_t r = j == 0 ? 0 : 3 * j + 1;
+      weights[4 * j] = solution[r];
+      for(std::size_t c = 0; c < 3; ++c)
+        weights[4 * j + 1 + c] =
+            solution[r + 1] * tangents[6 * j + c] + solution[r + 2] * tangents[6 * j + 3 + c];
+    }
+    for(std::size_t c = 0; c < 3; ++c)
+      weights[1 + c] += solution[3] * trend[c];
+  }
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H

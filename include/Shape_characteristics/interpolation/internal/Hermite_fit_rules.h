@@ -1,0 +1,198 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
+
+#include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// What of a fitted function decides whether it describes a surface.
+struct Fit_quality
+{
+  double gradient_length = 0.;
+  double largest_curvature =
+      0.; // of the surface, in units of the inverse size of the neighborhood; what the function
+          // does off the surface doesn't matter
+
+  Fit_quality() = default;
+  explicit Fit_quality(const Hermite_jet& jet)
+  {
+    // Frobenius' norm of P H P with the projection P = I - n n^T onto the tangent plane
+    const double squared_length = jet.gradient.squaredNorm();
+    const Eigen::Vector3d image = jet.hessian * jet.gradient;
+    const double along_normal = jet.gradient.dot(image) / squared_length;
+    const double square =
+        jet.hessian.squaredNorm() - 2. * (image.squaredNorm() / squared_length) + along_normal * along_normal;
+    gradient_length = std::sqrt(squared_length);
+    largest_curvature = std::sqrt((std::max)(square, 0.)) / gradient_length;
+  }
+};
+
+inline constexpr double largest_plausible_curvature = 50.; // beyond which a fit has failed
+
+// Shape parameter of a positive definite basis function that was given none, for exact normals: flatter for larger
+// neighborhoods. Measured best at 7, 19, 37 and 61 points of smooth surfaces.
+inline double shape_parameter_of_exact_fit(std::size_t number_of_points)
+{
+  const double flat = 0.08 + 0.0775 * (std::sqrt(double(number_of_points)) - std::sqrt(7.));
+  return (std::min)((std::max)(flat, 0.05), 0.6);
+}
+
+inline constexpr double shape_parameter_of_noisy_fit = 0.25;
+
+template <typename RadialBasisFunction>
+double shape_parameter_of_fit(const RadialBasisFunction& phi, std::size_t number_of_points, bool is_exact)
+{
+  if constexpr(RadialBasisFunction::has_shape_parameter)
+  {
+    if(phi.is_shape_parameter_set())
+      return phi.shape_parameter();
+    return is_exact ? shape_parameter_of_exact_fit(number_of_points) : shape_parameter_of_noisy_fit;
+  }
+  else
+    return 1.;
+}
+
+inline double nugget(double rounding_error)
+{
+  return (std::max)(1e-12, 16. * rounding_error * rounding_error);
+}
+
+// the linear trend of an inexact fit: normals of an opposite sheet don't take part in it
+inline Eigen::Vector3d trend_of_noisy_fit(const std::vector<Eigen::Vector3d>& normals)
+{
+  Eigen::Vector3d trend = Eigen::Vector3d::Zero();
+  for(const Eigen::Vector3d& n : normals)
+    if(n.dot(normals[0]) > 0.)
+      trend += n;
+  return trend.normalized();
+}
+
+// The attempts to fit exact normals: each fits a little less exactly.
+class Exact_fit_attempts
+{
+public:
+  Exact_fit_attempts() = default;
+  explicit Exact_fit_attempts(const Scaled_neighborhood& neighborhood)
+    : m_noise(nugget(neighborhood.rounding_error))
+  {}
+
+  double value_variance() const { return m_noise; }
+  double derivative_variance() const { return m_noise; }
+
+  // whether the function describes a surface at a sample; `derivative`: along its normal
+  static bool is_surface(const Fit_quality& quality, double derivative)
+  {
+    return quality.gradient_length > 0.1 && derivative > 0.5 * quality.gradient_length &&
+           quality.largest_curvature < largest_plausible_curvature;
+  }
+
+  // after an attempt that failed: whether there is another
+  bool next()
+  {
+    m_noise *= 100.;
+    return ++m_failures < s_attempts;
+  }
+
+private:
+  static constexpr int s_attempts = 4;
+
+  double m_noise = 0.;
+  int m_failures = 0;
+};
+
+/*
+  The attempts to fit inexact data. The noise of the normals is guessed. Where it was guessed too high, as on a surface that
+  bends much between its samples, the function may as well be zero everywhere, and its gradient shrinks: then normals are
+  trusted more. Where the points' noise was guessed too low, as at a sharp edge between large flat faces, the surface bends
+  more than its samples can tell: then points are trusted less.
+*/
+class Noisy_fit_attempts
+{
+public:
+  Noisy_fit_attempts() = default;
+  // noise_level: in units of the size of the nearest neighbors
+  Noisy_fit_attempts(const Scaled_neighborhood& neighborhood, double noise_level)
+  {
+    const double noise = noise_level * neighborhood.nearest_size;
+    m_value_variance = (std::max)(noise * noise, nugget(neighborhood.rounding_error));
+  }
+
+  double value_variance() const { return m_value_variance; }
+  double derivative_variance() const { return m_derivative_variance; }
+
+  // whether the function has a zero set near the sample; `displacement` is how far
+  static bool is_surface(const Fit_quality& quality, const Eigen::Vector3d& displacement)
+  {
+    return quality.gradient_length > 0.05 && displacement.squaredNorm() < 0.25;
+  }
+
+  static bool is_plausible(const Fit_quality& quality)
+  {
+    return quality.largest_curvature < s_largest_curvature;
+  }
+
+  // after an attempt with a matrix that wasn't positive definite: whether there is another
+  bool next_if_indefinite()
+  {
+    m_value_variance *= 100.;
+    return ++m_failures < s_attempts;
+  }
+
+  // after an attempt that gave something else than a plausible surface: whether there is another
+  bool next(bool was_surface)
+  {
+    if(!was_surface)
+      m_derivative_variance *= 0.1;
+    if(was_surface || m_failures >= 2)
+      m_value_variance = (std::max)(100. * m_value_variance, 1e-8);
+    return ++m_failures < s_attempts;
+  }
+
+  static constexpr double first_derivative_variance =
+      0.1; // estimated normals: weak evidence beside good positions
+
+private:
+  static constexpr int s_attempts = 9; // with noise levels that are ever farther from the given ones
+  static constexpr double s_largest_curvature = 4.;
+
+  double m_value_variance = 0., m_derivative_variance = first_derivative_variance;
+  int m_failures = 0;
+};
+
+// How many neighbors take part in a fit, the nearest first. A vertex with long edges, as on the border of a Delaunay
+// triangulation, has hundreds within some rings: they cost much, and those that are far tell nothing.
+inline std::size_t largest_neighborhood(const Neighborhood& neighborhood)
+{
+  if(neighborhood.kind() != Neighborhood::Kind::RINGS)
+    return (std::numeric_limits<std::size_t>::max)();
+  const std::size_t rings = neighborhood.count();
+  return (std::max)(2 * (3 * rings * (rings + 1)), std::size_t(48)); // twice those of a regular mesh, or more
+}
+
+// a step of Newton's method from `displacement` towards the zero set
+inline void step_to_zero_set(const Hermite_jet& jet, Eigen::Vector3d& displacement)
+{
+  displacement -= jet.value / jet.gradient.squaredNorm() * jet.gradient;
+}
+
+// whether derivatives are the same before and after a displacement, as far as anybody can tell
+inline bool is_negligible(const Eigen::Vector3d& displacement)
+{
+  return displacement.squaredNorm() < 1e-12;
+}
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H

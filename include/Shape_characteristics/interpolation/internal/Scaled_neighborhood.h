@@ -1,0 +1,139 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SCALED_NEIGHBORHOOD_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SCALED_NEIGHBORHOOD_H
+
+#include <Shape_characteristics/Estimation_status.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// The neighborhood of a sample, moved to the sample and scaled to root mean square distance 1.
+class Scaled_neighborhood
+{
+public:
+  using Vector = Eigen::Vector3d;
+  using Index = std::uint32_t;
+
+  static constexpr std::size_t nearest =
+      9; // neighbors that tell the level of noise: so few that a smooth surface
+         // bends little between them
+
+  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors. All else is undefined if the status isn't
+  // one of an estimate.
+  template <typename SampledSurface>
+  Estimation_status collect(const SampledSurface& surface,
+                            std::size_t i,
+                            typename SampledSurface::Workspace& workspace,
+                            std::size_t limit = (std::numeric_limits<std::size_t>::max)())
+  {
+    const Estimation_status status = surface.status(i);
+    if(!is_estimated(status))
+      return status;
+    const auto& neighbors = surface.neighbors(i, s_desired, workspace);
+    if(neighbors.size() < s_minimum)
+      return Estimation_status::FEW_NEIGHBOURS;
+
+    const std::size_t number_of_neighbors = (std::min)(neighbors.size(), limit);
+    const Vector& center = surface.point(i);
+    samples.resize(number_of_neighbors + 1);
+    points.resize(number_of_neighbors + 1);
+    normals.resize(number_of_neighbors + 1);
+    samples[0] = Index(i);
+    points[0].setZero();
+    normals[0] = surface.normal(i);
+    double largest = 0.;
+    for(std::size_t k = 0; k < number_of_neighbors; ++k)
+    {
+      const Index j = neighbors[k];
+      samples[k + 1] = j;
+      points[k + 1] = surface.point(j) - center;
+      normals[k + 1] = surface.normal(j);
+      largest = (std::max)(largest, points[k + 1].template lpNorm<Eigen::Infinity>());
+    }
+    if(!(largest > 0.) || !std::isfinite(largest))
+      return Estimation_status::DEGENERATE;
+    const double inverse = 1. / largest;
+    const bool is_usual = largest > 1e-300; // else the inverse may be infinite
+    double sum = 0., sum_of_nearest = 0.;
+    for(std::size_t k = 1; k <= number_of_neighbors; ++k)
+    {
+      sum += (is_usual ? Vector(points[k] * inverse) : Vector(points[k] / largest)).squaredNorm();
+      if(k == (std::min)(nearest, number_of_neighbors))
+        sum_of_nearest = sum / double(k);
+    }
+    sum /= double(number_of_neighbors);
+    scale = largest * std::sqrt(sum);
+    if(!(scale >= (std::numeric_limits<double>::min)()))
+      return Estimation_status::DEGENERATE;
+    nearest_size = std::sqrt(sum_of_nearest / sum);
+    rounding_error =
+        std::numeric_limits<double>::epsilon() * (center.template lpNorm<Eigen::Infinity>() / scale);
+    for(Vector& p : points)
+      p /= scale;
+    merge();
+    return points.size() <= s_minimum || is_collinear() ? Estimation_status::DEGENERATE : status;
+  }
+
+  std::vector<Index> samples;  // the sample is the first
+  std::vector<Vector> points;  // scaled
+  std::vector<Vector> normals; // of unit length
+  double scale = 0.;           // what the points were divided by
+  double nearest_size = 1.;    // root mean square distance of the nearest neighbors, scaled
+  double rounding_error = 0.;  // of coordinates before they were scaled, in the same unit
+
+private:
+  static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
+  static constexpr std::size_t s_desired = 5; // neighbors for which further rings are searched
+  static constexpr double s_merged = 1e-3;    // distance below which points are one
+
+  // Points closer to each other than any sampling means them to be, with different normals, would make the surface
+  // between them explode. The one nearest to the sample stays. (The points come in the order of their distance to the
+  // sample: only those that are about as far can be close to each other.)
+  void merge()
+  {
+    std::size_t kept = 1;
+    for(std::size_t k = 1; k < points.size(); ++k)
+    {
+      const double square = points[k].squaredNorm();
+      const double as_far = square - 4. * s_merged * (std::max)(square, 1.);
+      bool is_far = square > s_merged * s_merged;
+      for(std::size_t l = kept; is_far && --l > 0 && points[l].squaredNorm() >= as_far;)
+        is_far = (points[l] - points[k]).squaredNorm() > s_merged * s_merged;
+      if(!is_far)
+        continue;
+      if(kept != k)
+      {
+        samples[kept] = samples[k];
+        points[kept] = points[k];
+        normals[kept] = normals[k];
+      }
+      ++kept;
+    }
+    samples.resize(kept);
+    points.resize(kept);
+    normals.resize(kept);
+  }
+
+  // whether the points (one of them the origin) lie on a line, as far as curvature is concerned
+  bool is_collinear() const
+  {
+    const Vector& axis = points.back(); // the farthest
+    const double far = 1e-12 * axis.squaredNorm() * axis.squaredNorm();
+    return std::all_of(points.begin(), points.end(),
+                       [&](const Vector& p) { return !(p.cross(axis).squaredNorm() > far); });
+  }
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SCALED_NEIGHBORHOOD_H

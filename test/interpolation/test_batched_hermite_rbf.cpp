@@ -1,0 +1,277 @@
+#define BOOST_TEST_MODULE batched_hermite_rbf
+#include <boost/test/unit_test.hpp>
+
+#include "analytic_surfaces.h"
+#include "build_mesh.h"
+
+#include <Shape_characteristics/interpolation/Gaussian.h>
+#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
+#include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/Matern_9_2.h>
+#include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Lanes.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace SC = Shape_characteristics;
+namespace internal = SC::internal;
+using test_support::Analytic_surface;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using SC::Face_graph_samples;
+
+namespace {
+
+Face_graph_samples samples_of(const Analytic_surface& s, unsigned int rings, double turned = 0.)
+{
+  const Mesh mesh = test_support::build_mesh<Mesh>(s);
+  Face_graph_samples samples(mesh, mesh.points(), SC::Neighborhood::rings(rings));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> uniform(-turned, turned);
+  std::vector<Eigen::Vector3d> normals;
+  for(const auto& e : s.exact)
+    normals.emplace_back(e.normal[0] + uniform(random), e.normal[1] + uniform(random),
+                         e.normal[2] + uniform(random));
+  samples.set_normals(std::move(normals));
+  return samples;
+}
+
+template <typename RadialBasisFunction>
+std::vector<SC::Local_implicit_surface>
+one_by_one(const Face_graph_samples& samples, const RadialBasisFunction& phi, bool exact, double noise)
+{
+  using Fit = SC::Local_hermite_rbf<Face_graph_samples, RadialBasisFunction>;
+  typename Fit::Options options;
+  options.normals_are_exact = exact;
+  options.noise_level = noise;
+  const Fit fit(samples, phi, options);
+  typename Fit::Workspace workspace;
+  std::vector<SC::Local_implicit_surface> result;
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    result.push_back(fit(i, workspace));
+  return result;
+}
+
+template <typename RadialBasisFunction>
+std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& samples,
+                                                const RadialBasisFunction& phi,
+                                                bool exact,
+                                                double noise,
+                                                bool shared,
+                                                std::size_t lanes,
+                                                std::size_t patch_size)
+{
+  using Fit = internal::Batched_hermite_rbf<Face_graph_samples, RadialBasisFunction>;
+  typename Fit::Options options;
+  options.normals_are_exact = exact;
+  options.noise_level = noise;
+  options.fits_are_shared = shared;
+  const Fit fit(samples, phi, options, lanes);
+  typename Fit::Workspace workspace;
+  const std::vector<std::uint32_t> order = samples.traversal_order(patch_size);
+  std::vector<std::uint32_t> position(order.size());
+  for(std::size_t k = 0; k < order.size(); ++k)
+    position[order[k]] = std::uint32_t(k);
+  std::vector<unsigned char> is_served(order.size(), 0);
+  std::vector<SC::Local_implicit_surface> result(samples.size());
+  std::vector<int> answers(samples.size(), 0);
+  for(std::size_t begin = 0; begin < order.size(); begin += patch_size)
+    fit(order, position, begin, std::min(begin + patch_size, order.size()), is_served, workspace,
+        [&](const std::size_t i, const SC::Local_implicit_surface& local)
+        {
+          result[i] = local;
+          ++answers[i];
+        });
+  BOOST_TEST(std::all_of(answers.begin(), answers.end(), [](const int n) { return n == 1; }));
+  return result;
+}
+
+// the shape operator of the fitted surface, as a matrix that maps the normal to zero
+Eigen::Matrix3d shape_operator(const SC::Local_implicit_surface& local)
+{
+  const double length = local.gradient.norm();
+  const Eigen::Vector3d n = local.gradient / length;
+  const Eigen::Matrix3d projection = Eigen::Matrix3d::Identity() - n * n.transpose();
+  return projection * local.hessian * projection / length;
+}
+
+// largest difference of the shape operators, in units of the largest of them, or of the normals
+double difference(const std::vector<SC::Local_implicit_surface>& a,
+                  const std::vector<SC::Local_implicit_surface>& b)
+{
+  double unit = 1e-6, largest = 0.;
+  for(const SC::Local_implicit_surface& local : a)
+    if(SC::is_estimated(local.status))
+      unit = std::max(unit, shape_operator(local).norm());
+  for(std::size_t i = 0; i < a.size(); ++i)
+  {
+    BOOST_TEST((a[i].status == b[i].status), "status of sample " << i);
+    if(SC::is_estimated(a[i].status) && SC::is_estimated(b[i].status))
+      largest = std::max({largest, (shape_operator(a[i]) - shape_operator(b[i])).norm() / unit,
+                          (a[i].gradient.normalized() - b[i].gradient.normalized()).norm(),
+                          unit * (a[i].displacement - b[i].displacement).norm()});
+  }
+  return largest;
+}
+
+bool same_bits(const std::vector<SC::Local_implicit_surface>& a,
+               const std::vector<SC::Local_implicit_surface>& b)
+{
+  const auto same = [](const auto& x, const auto& y)
+  { return std::memcmp(x.data(), y.data(), sizeof(double) * std::size_t(x.size())) == 0; };
+  for(std::size_t i = 0; i < a.size(); ++i)
+    if(a[i].status != b[i].status || !same(a[i].gradient, b[i].gradient) ||
+       !same(a[i].hessian, b[i].hessian) || !same(a[i].displacement, b[i].displacement))
+      return false;
+  return true;
+}
+
+const auto surfaces = [] { return test_support::all_analytic_surfaces(.2, 3); };
+
+template <int n>
+void check_lanes()
+{
+  using V = internal::Lanes<n>;
+  std::mt19937 random(3);
+  double of_root = 0., of_exponential = 0.;
+  for(int k = 0; k < 20000; ++k)
+  {
+    alignas(64) double x[n], y[n];
+    V v, result;
+    for(double& number : x)
+      number = std::ldexp(std::uniform_real_distribution<double>(1., 2.)(random), int(random() % 1800) - 900);
+    std::memcpy(&v, x, sizeof(V));
+    internal::inverse_sqrt(v, result);
+    std::memcpy(y, &result, sizeof(V));
+    for(int lane = 0; lane < n; ++lane)
+      of_root = std::max(of_root, std::abs(y[lane] * std::sqrt(x[lane]) - 1.));
+    for(double& number : x)
+      number = -std::ldexp(std::uniform_real_distribution<double>(1., 2.)(random), int(random() % 60) - 50);
+    std::memcpy(&v, x, sizeof(V));
+    internal::exp_of_negative(v, result);
+    std::memcpy(y, &result, sizeof(V));
+    for(int lane = 0; lane < n; ++lane)
+      of_exponential =
+          std::max(of_exponential, x[lane] < -700. ? y[lane] : std::abs(y[lane] / std::exp(x[lane]) - 1.));
+  }
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  BOOST_TEST_MESSAGE(n << " lanes: relative error of 1 / sqrt(x) " << of_root / epsilon << ", of exp(x) "
+                       << of_exponential / epsilon << " units in the last place");
+  BOOST_TEST(of_root < 3. * epsilon);
+  BOOST_TEST(of_exponential < 4. * epsilon);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(functions_on_lanes)
+{
+  check_lanes<1>();
+#if defined(__GNUC__)
+  check_lanes<2>();
+  check_lanes<4>();
+  check_lanes<8>();
+#endif
+}
+
+// The oracle is Local_hermite_rbf: plain Eigen, a fit at a time, points not scaled by the shape parameter. The exact systems
+// are nearly singular, and magnify the rounding errors of both.
+BOOST_AUTO_TEST_CASE(agrees_with_plain_fits)
+{
+  for(const unsigned int rings : {1u, 2u, 3u})
+    for(const Analytic_surface& s : surfaces())
+      BOOST_TEST_CONTEXT(s.name << ", " << rings << " rings")
+      {
+        const Face_graph_samples samples = samples_of(s, rings);
+        const auto check =
+            [&](const char* name, const auto& phi, const bool exact, const double noise, const double bound)
+        {
+          const auto expected = one_by_one(samples, phi, exact, noise);
+          double largest = 0.;
+          const std::vector<std::size_t> widths =
+              rings == 2u ? std::vector<std::size_t>{1, 2, 4, 8} : std::vector<std::size_t>{8};
+          for(const std::size_t lanes : widths)
+            largest = std::max(largest,
+                               difference(expected, batched(samples, phi, exact, noise, false, lanes, 512)));
+          BOOST_TEST_MESSAGE(s.name << ", " << rings << " rings, " << name << ": " << largest);
+          BOOST_TEST(largest < bound, name);
+        };
+        check("exact", SC::Inverse_multiquadric(), true, 0., 5e-5);
+        check("exact, its own shape", SC::Inverse_multiquadric(.5), true, 0., 5e-5);
+        check("exact, by the scalar function", SC::Gaussian(.5), true, 0., 5e-5);
+        check("noise 1e-6", SC::Matern_9_2(), false, 1e-6, 5e-5);
+        check("noise 0.01", SC::Matern_9_2(), false, .01, 2e-9);
+      }
+}
+
+// noisy normals: some fits need more attempts than one
+BOOST_AUTO_TEST_CASE(attempts_agree_with_plain_fits)
+{
+  for(const double turned : {.3, 1.})
+    for(const Analytic_surface& s : surfaces())
+      BOOST_TEST_CONTEXT(s.name << ", normals turned by " << turned)
+      {
+        const Face_graph_samples samples = samples_of(s, 2, turned);
+        BOOST_TEST(difference(one_by_one(samples, SC::Matern_9_2(), false, 1e-4),
+                              batched(samples, SC::Matern_9_2(), false, 1e-4, false, 8, 512)) < 1e-5);
+      }
+}
+
+// Lanes don't see each other, nor do fits without sharing see the patches.
+BOOST_AUTO_TEST_CASE(bits)
+{
+  for(const Analytic_surface& s : surfaces())
+    for(const bool exact : {true, false})
+      BOOST_TEST_CONTEXT(s.name << (exact ? ", exact" : ""))
+      {
+        const Face_graph_samples samples = samples_of(s, 2);
+        const auto run = [&](const bool shared, const std::size_t lanes, const std::size_t patch_size)
+        {
+          return exact ? batched(samples, SC::Inverse_multiquadric(), true, 0., shared, lanes, patch_size)
+                       : batched(samples, SC::Matern_9_2(), false, 1e-4, shared, lanes, patch_size);
+        };
+        BOOST_TEST(same_bits(run(false, 8, 512), run(false, 8, 100)));
+        BOOST_TEST(same_bits(run(false, 8, 512), run(false, 8, 1)));
+        BOOST_TEST(same_bits(run(true, 8, 512), run(true, 8, 512)));
+        const auto lanes_of = [](const std::size_t most)
+        { return internal::Hermite_batch_functions<SC::Matern_9_2>::best(most).lanes; };
+        if(lanes_of(8) == 8 && lanes_of(4) == 4) // both with fused multiplication and addition
+        {
+          BOOST_TEST(same_bits(run(false, 8, 512), run(false, 4, 512)));
+          BOOST_TEST(same_bits(run(true, 8, 512), run(true, 4, 512)));
+        }
+        if(lanes_of(2) == 2)
+          BOOST_TEST(same_bits(run(true, 2, 512), run(true, 1, 512)));
+      }
+}
+
+BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
+{
+  const Analytic_surface s = test_support::torus(1., .4, 24, 12, .2, 5);
+  const Face_graph_samples samples = samples_of(s, 2, .1);
+  const std::vector<double> levels = {1e-6, 1e-4, 1e-2, .1};
+  const std::vector<std::uint32_t> probes = {0, 17, 100, 101, 250};
+  using Plain = SC::Local_hermite_rbf<Face_graph_samples, SC::Matern_9_2>;
+  using Batched = internal::Batched_hermite_rbf<Face_graph_samples, SC::Matern_9_2>;
+  const auto result = Batched(samples, SC::Matern_9_2(), Batched::Options()).log_likelihoods(probes, levels);
+  const Plain plain(samples, SC::Matern_9_2(), Plain::Options());
+  Plain::Workspace workspace;
+  for(std::size_t k = 0; k < probes.size(); ++k)
+    for(std::size_t e = 0; e + 1 < levels.size(); ++e)
+    {
+      const double expected = plain.log_likelihood(probes[k], levels[e], workspace) -
+                              plain.log_likelihood(probes[k], levels.back(), workspace);
+      const double found = result[k * levels.size() + e] - result[(k + 1) * levels.size() - 1];
+      BOOST_TEST(std::abs(found - expected) < 1e-6 * (1. + std::abs(expected)));
+    }
+}
