@@ -113,8 +113,13 @@ private:
     Shape_operator_eigen result;
     result.min_curvature = -monge.principal_curvatures(0) / size;
     result.max_curvature = -monge.principal_curvatures(1) / size;
-    result.min_direction = to_eigen(monge.maximal_principal_direction());
-    result.max_direction = to_eigen(monge.minimal_principal_direction());
+    // Of a steep polynomial, the directions are as inexact as the products of its slopes.
+    result.min_direction = to_eigen(monge.maximal_principal_direction()).normalized();
+    const Eigen::Vector3d max_direction = to_eigen(monge.minimal_principal_direction()).normalized();
+    const double inexactness = result.min_direction.dot(max_direction);
+    if(!(std::abs(inexactness) < s_largest_inexactness))
+      return Curvature_estimate(Estimation_status::DEGENERATE);
+    result.max_direction = (max_direction - inexactness * result.min_direction).normalized();
     return Curvature_estimate(m_surface.status(i), result);
   }
 
@@ -123,6 +128,8 @@ private:
   static constexpr double s_largest_condition = 3e10;
   // a fitted surface nearly perpendicular to the given one has no outside
   static constexpr double s_smallest_cosine = 0.1;
+  // of the cosine between the principal directions
+  static constexpr double s_largest_inexactness = 1e-5;
 
   const SampledSurface& m_surface;
   std::size_t m_degree;
@@ -195,9 +202,7 @@ std::size_t jet_fitting_curvatures(const FaceGraph& mesh,
   const Face_graph_samples surface =
       sampled_surface<ConcurrencyTag>(mesh, internal::mesh_neighborhood(np), np);
   const internal::Jet_fitting_estimator<Face_graph_samples> estimator(surface, np);
-  auto estimates = internal::estimate_curvatures<ConcurrencyTag>(estimator, surface.size(), np);
-  internal::mark_duplicates(surface, estimates);
-  return internal::write_to_mesh(mesh, estimates, np);
+  return internal::estimate_vertices<ConcurrencyTag>(mesh, surface, estimator, np);
 }
 
 /*!
@@ -284,8 +289,7 @@ std::size_t jet_fitting_curvatures(PointRange&& points,
 {
   const Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np), np);
   const internal::Jet_fitting_estimator<Point_set_samples> estimator(surface, np);
-  const auto estimates = internal::estimate_curvatures<ConcurrencyTag>(estimator, surface.size(), np);
-  return internal::write_to_points(points, estimates, np);
+  return internal::estimate_points<ConcurrencyTag>(points, surface.size(), estimator, np);
 }
 
 } // namespace Shape_characteristics
