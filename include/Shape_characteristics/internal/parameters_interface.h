@@ -70,6 +70,9 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                 SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
                     SC_CGAL_parameter(degree_fitting_t, degree_fitting)
 
+    // descriptors
+    SC_new_parameter(descriptor_samples_t, descriptor_samples, descriptor_samples)
+
     // general
     SC_CGAL_parameter(callback_t, callback) SC_CGAL_parameter(random_seed_t, random_seed)
         SC_CGAL_parameter(verbose_t, verbose)
