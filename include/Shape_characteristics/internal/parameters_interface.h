@@ -73,6 +73,29 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
     // descriptors
     SC_new_parameter(descriptor_samples_t, descriptor_samples, descriptor_samples)
 
+    // registration
+    SC_new_parameter(source_samples_t, source_samples, source_samples)
+        SC_new_parameter(target_samples_t, target_samples, target_samples)
+            SC_new_parameter(mirrored_target_descriptors_t,
+                             mirrored_target_descriptors,
+                             mirrored_target_descriptors)
+                SC_new_parameter(edge_length_similarity_t, edge_length_similarity, edge_length_similarity)
+                    SC_new_parameter(orientation_is_tested_t, orientation_is_tested, orientation_is_tested)
+                        SC_new_parameter(normals_are_tested_t, normals_are_tested, normals_are_tested)
+                            SC_new_parameter(normal_tolerance_t, normal_tolerance, normal_tolerance)
+                                SC_new_parameter(number_of_tuples_t, number_of_tuples, number_of_tuples)
+                                    SC_new_parameter(tries_per_correspondence_t,
+                                                     tries_per_correspondence,
+                                                     tries_per_correspondence)
+                                        SC_new_parameter(maximum_correspondence_distance_t,
+                                                         maximum_correspondence_distance,
+                                                         maximum_correspondence_distance)
+                                            SC_new_parameter(minimum_normal_cosine_t,
+                                                             minimum_normal_cosine,
+                                                             minimum_normal_cosine)
+                                                SC_CGAL_parameter(number_of_iterations_t,
+                                                                  number_of_iterations)
+
     // general
     SC_CGAL_parameter(callback_t, callback) SC_CGAL_parameter(random_seed_t, random_seed)
         SC_CGAL_parameter(verbose_t, verbose)
