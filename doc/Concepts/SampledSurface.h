@@ -46,6 +46,9 @@ public:
   /// The reference is valid until the next call with the same workspace.
   const std::vector<Index>& neighbors(std::size_t i, std::size_t minimum, Workspace& workspace) const;
 
+  /// returns what the neighbors are: rings of edges, those in a ball, or the nearest ones.
+  const Neighborhood& neighborhood() const;
+
   /// returns the mean distance of sample `i` to the samples next to it; 0 if there is none.
   double spacing(std::size_t i) const;
 

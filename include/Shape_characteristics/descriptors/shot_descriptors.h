@@ -1,0 +1,147 @@
+#ifndef SHAPE_CHARACTERISTICS_DESCRIPTORS_SHOT_DESCRIPTORS_H
+#define SHAPE_CHARACTERISTICS_DESCRIPTORS_SHOT_DESCRIPTORS_H
+
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/descriptors/Shot_descriptor.h>
+#include <Shape_characteristics/descriptors/internal/compute_descriptors_of.h>
+#include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/normals/sampled_surface.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+
+#include <type_traits>
+
+namespace Shape_characteristics {
+namespace internal {
+
+template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>
+Descriptor_matrix shot_descriptors_of(const SampledSurface& surface, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  const Shot_variant variant =
+      choose_parameter(get_parameter(np, internal_np::shot_variant), Shot_variant::PAPER);
+  return compute_descriptors_of<ConcurrencyTag>(Shot_descriptor<SampledSurface>(surface, variant),
+                                                surface.size(), np);
+}
+
+} // namespace internal
+
+/*!
+  \ingroup PkgShapeCharacteristicsDescriptors
+
+  computes the SHOT descriptors of the vertices of a mesh: 352 numbers each, of unit norm. `Shot_descriptor` says what
+  they are.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
+          The results are the same, bit for bit, for any number of threads.
+  \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \scMeshInputParameters
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{the radius of the ball that is described, in the unit of the points}
+      \cgalParamType{`FT`}
+      \cgalParamDefault{not used}
+      \cgalParamExtra{The paper takes 15 times the distance of neighboring vertices.}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_rings}
+      \cgalParamDescription{the size of the neighborhood, in edges, if there is no radius; then the farthest neighbor's
+                            distance is the radius}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`2`}
+    \cgalParamNEnd
+    \cgalParamNBegin{shot_variant}
+      \cgalParamDescription{how a neighbor is shared among the bins next to it}
+      \cgalParamType{`Shot_variant`}
+      \cgalParamDefault{`Shot_variant::PAPER`}
+    \cgalParamNEnd
+    \cgalParamNBegin{descriptor_samples}
+      \cgalParamDescription{the numbers of the vertices, in the order of `vertices(mesh)`, whose descriptors are computed}
+      \cgalParamType{a range of integers}
+      \cgalParamDefault{all vertices}
+    \cgalParamNEnd
+    \scCallbackParameter
+  \cgalNamedParamsEnd
+
+  \return a row for each vertex, or for each of `descriptor_samples`
+
+  \throws std::invalid_argument if a parameter is out of its range
+
+  Complexity: linear in the number of descriptors \f$ n \f$: \f$ O(n m \log m) \f$ for neighborhoods of \f$ m \f$ vertices.
+
+  \cgalExample{descriptors/shot_descriptors.cpp}
+*/
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename FaceGraph,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<internal::is_face_graph<FaceGraph> > >
+Descriptor_matrix shot_descriptors(const FaceGraph& mesh,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  return internal::shot_descriptors_of<ConcurrencyTag>(
+      sampled_surface<ConcurrencyTag>(mesh, internal::mesh_neighborhood(np), np), np);
+}
+
+/*!
+  \ingroup PkgShapeCharacteristicsDescriptors
+
+  computes the SHOT descriptors of the points of a point set with normals, as `shot_descriptors()` of a mesh does.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default)
+  \tparam PointRange a model of `ConstRange`
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param points the point set
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \scPointSetInputParameters
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{the radius of the ball that is described, in the unit of the points}
+      \cgalParamType{`FT`}
+      \cgalParamDefault{not used}
+    \cgalParamNEnd
+    \cgalParamNBegin{number_of_neighbors}
+      \cgalParamDescription{the size of the neighborhood, if there is no radius: as many nearest points}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`18`}
+    \cgalParamNEnd
+    \cgalParamNBegin{shot_variant}
+      \cgalParamDescription{how a neighbor is shared among the bins next to it}
+      \cgalParamType{`Shot_variant`}
+      \cgalParamDefault{`Shot_variant::PAPER`}
+    \cgalParamNEnd
+    \cgalParamNBegin{descriptor_samples}
+      \cgalParamDescription{the numbers of the points whose descriptors are computed}
+      \cgalParamType{a range of integers}
+      \cgalParamDefault{all points}
+    \cgalParamNEnd
+    \scCallbackParameter
+  \cgalNamedParamsEnd
+
+  \return a row for each point, or for each of `descriptor_samples`
+
+  \throws std::invalid_argument as for meshes, and if there is no normal map
+
+  Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ points, and that of meshes.
+*/
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename PointRange,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<internal::is_point_range<PointRange> >,
+          typename = void>
+Descriptor_matrix shot_descriptors(const PointRange& points,
+                                   const NamedParameters& np = parameters::default_values())
+{
+  return internal::shot_descriptors_of<ConcurrencyTag>(
+      sampled_surface(points, internal::point_set_neighborhood(np), np), np);
+}
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_DESCRIPTORS_SHOT_DESCRIPTORS_H

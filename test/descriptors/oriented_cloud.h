@@ -1,0 +1,140 @@
+#ifndef SHAPE_CHARACTERISTICS_TEST_DESCRIPTORS_ORIENTED_CLOUD_H
+#define SHAPE_CHARACTERISTICS_TEST_DESCRIPTORS_ORIENTED_CLOUD_H
+
+#include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+#include <Shape_characteristics/sampling/Point_set_samples.h>
+
+#include <CGAL/property_map.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <random>
+#include <vector>
+
+// Points with normals, and what is done to them to see whether descriptors keep their promises.
+namespace oriented_cloud {
+
+namespace SC = Shape_characteristics;
+using Eigen::Vector3d;
+
+struct Cloud
+{
+  std::vector<Vector3d> points, normals;
+};
+
+// `count` points at random of a height field that no symmetry maps to itself, over the square [-1, 1]^2
+inline Cloud wavy_cloud(std::size_t count, unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  const auto uniform = [&] { return 2. * double(generator()) / 4294967296. - 1.; };
+  Cloud cloud;
+  for(std::size_t i = 0; i < count; ++i)
+  {
+    const double x = uniform(), y = uniform();
+    const double z = .3 * std::sin(2. * x + 1.) * std::cos(3. * y) + .2 * x * y * y - .15 * x * x * y;
+    const double z_x = .6 * std::cos(2. * x + 1.) * std::cos(3. * y) + .2 * y * y - .3 * x * y;
+    const double z_y = -.9 * std::sin(2. * x + 1.) * std::sin(3. * y) + .4 * x * y - .15 * x * x;
+    cloud.points.emplace_back(x, y, z);
+    cloud.normals.push_back(Vector3d(-z_x, -z_y, 1.).normalized());
+  }
+  return cloud;
+}
+
+// in the plane x = 0, which has exact results
+inline Cloud mirrored(Cloud cloud)
+{
+  for(std::vector<Vector3d>* v : {&cloud.points, &cloud.normals})
+    for(Vector3d& w : *v)
+      w.x() = -w.x();
+  return cloud;
+}
+
+inline Cloud flipped(Cloud cloud)
+{
+  for(Vector3d& n : cloud.normals)
+    n = -n;
+  return cloud;
+}
+
+inline Cloud moved(Cloud cloud, double scale, const Eigen::Matrix3d& rotation, const Vector3d& shift)
+{
+  for(Vector3d& p : cloud.points)
+    p = scale * (rotation * p) + shift;
+  for(Vector3d& n : cloud.normals)
+    n = rotation * n;
+  return cloud;
+}
+
+inline Eigen::Matrix3d some_rotation()
+{
+  return Eigen::AngleAxisd(1.1, Vector3d(.3, -.5, .8).normalized()).toRotationMatrix();
+}
+
+// in another order: point `i` of the result is point `order[i]`
+inline Cloud permuted(const Cloud& cloud, const std::vector<std::size_t>& order)
+{
+  Cloud result;
+  for(const std::size_t i : order)
+  {
+    result.points.push_back(cloud.points[i]);
+    result.normals.push_back(cloud.normals[i]);
+  }
+  return result;
+}
+
+inline SC::Point_set_samples samples_of(const Cloud& cloud, const SC::Neighborhood& neighborhood)
+{
+  SC::Point_set_samples samples(cloud.points, CGAL::Identity_property_map<Vector3d>(), neighborhood);
+  samples.set_normals(cloud.normals);
+  return samples;
+}
+
+// the largest difference of two matrices, which must have the same statuses and have values at the same places
+inline double difference(const SC::Descriptor_matrix& a, const SC::Descriptor_matrix& b)
+{
+  if(a.status != b.status || a.values.rows() != b.values.rows() || a.values.cols() != b.values.cols())
+    return std::numeric_limits<double>::infinity();
+  double largest = 0.;
+  for(Eigen::Index i = 0; i < a.values.size(); ++i)
+  {
+    const float x = a.values.data()[i], y = b.values.data()[i];
+    if(std::isnan(x) != std::isnan(y))
+      return std::numeric_limits<double>::infinity();
+    if(!std::isnan(x))
+      largest = (std::max)(largest, std::abs(double(x) - double(y)));
+  }
+  return largest;
+}
+
+inline bool same_bits(const SC::Descriptor_matrix& a, const SC::Descriptor_matrix& b)
+{
+  return a.status == b.status && a.values.rows() == b.values.rows() && a.values.cols() == b.values.cols() &&
+         std::memcmp(a.values.data(), b.values.data(), sizeof(float) * std::size_t(a.values.size())) == 0;
+}
+
+// rows with a value have finite ones, the others are NaN
+inline bool is_consistent(const SC::Descriptor_matrix& m)
+{
+  if(std::size_t(m.values.rows()) != m.status.size())
+    return false;
+  for(std::size_t i = 0; i < m.status.size(); ++i)
+    for(const float x : m.values.row(Eigen::Index(i)))
+      if(SC::is_estimated(m.status[i]) ? !std::isfinite(x) : !std::isnan(x))
+        return false;
+  return true;
+}
+
+inline std::size_t number_of(SC::Estimation_status status, const SC::Descriptor_matrix& m)
+{
+  return std::size_t(std::count(m.status.begin(), m.status.end(), status));
+}
+
+} // namespace oriented_cloud
+
+#endif // SHAPE_CHARACTERISTICS_TEST_DESCRIPTORS_ORIENTED_CLOUD_H
