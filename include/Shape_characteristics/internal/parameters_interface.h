@@ -73,11 +73,11 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
     // descriptors
     SC_new_parameter(descriptor_samples_t, descriptor_samples, descriptor_samples)
         SC_new_parameter(fpfh_variant_t, fpfh_variant, fpfh_variant)
-        SC_new_parameter(shot_variant_t, shot_variant, shot_variant)
-            SC_new_parameter(flux_method_t, flux_method, flux_method)
-                SC_new_parameter(area_map_t, area_map, area_map)
-                    SC_new_parameter(signed_volume_method_t, signed_volume_method, signed_volume_method)
-                        SC_new_parameter(signal_scaling_t, signal_scaling, signal_scaling)
+            SC_new_parameter(shot_variant_t, shot_variant, shot_variant)
+                SC_new_parameter(flux_method_t, flux_method, flux_method)
+                    SC_new_parameter(area_map_t, area_map, area_map)
+                        SC_new_parameter(signed_volume_method_t, signed_volume_method, signed_volume_method)
+                            SC_new_parameter(signal_scaling_t, signal_scaling, signal_scaling)
 
     // registration
     SC_new_parameter(source_samples_t, source_samples, source_samples)
