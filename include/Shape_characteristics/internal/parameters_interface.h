@@ -101,6 +101,9 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                                                              minimum_normal_cosine)
                                                 SC_CGAL_parameter(number_of_iterations_t,
                                                                   number_of_iterations)
+                                                    SC_new_parameter(maximum_number_of_samples_t,
+                                                                     maximum_number_of_samples,
+                                                                     maximum_number_of_samples)
 
     // general
     SC_CGAL_parameter(callback_t, callback) SC_CGAL_parameter(random_seed_t, random_seed)
