@@ -13,7 +13,8 @@ namespace internal {
   The inner loop of a search for nearest neighbors: squared distances of `rows` descriptors from the descriptors of a panel, as
   the sum of their squared norms less twice their product.
 
-  `a` holds the rows one after the other; `b` the panel, component by component, `panel_size` numbers each. The norms, of rows
+  `a` holds the rows one after the other; `b` the panel, component by component, `panel_size` numbers each. What is of the
+  panel, and `distances`, is aligned to `alignment`. The norms, of rows
   and of the panel, are lessened by what rounding can amount to: what comes out is at most the distance. Where it isn't below
   the larger one of the two limits, of the row and of the panel's column, for any pair, the answer is `false`, and no more is
   to be done; that is nearly everywhere.
@@ -22,6 +23,7 @@ struct Descriptor_block
 {
   static constexpr std::size_t rows = 4;
   static constexpr std::size_t largest_panel = 32;
+  static constexpr std::size_t alignment = 64;
 
   const float *a, *b;
   std::size_t dimension;
@@ -53,16 +55,20 @@ struct Descriptor_block
   }
 
 private:
+  // `V`: numbers computed with side by side
   template <typename V>
   [[gnu::always_inline]] static inline bool run(const Descriptor_block& block)
   {
     constexpr std::size_t lanes = sizeof(V) / sizeof(float), width = 2; // vectors in a row of the panel
+    const auto at = [](const float* p) { return reinterpret_cast<const V*>(p); };
     V products[rows][width] = {};
     const float* b = block.b;
     for(std::size_t k = 0; k < block.dimension; ++k, b += width * lanes)
     {
       V column[width];
-      std::memcpy(&column, b, sizeof(column));
+#pragma GCC unroll 2
+      for(std::size_t w = 0; w < width; ++w)
+        column[w] = at(b)[w];
 #pragma GCC unroll 4
       for(std::size_t i = 0; i < rows; ++i)
       {
@@ -73,28 +79,23 @@ private:
       }
     }
 
-    V norms[width], limits[width];
-    std::memcpy(&norms, block.b_norms, sizeof(norms));
-    std::memcpy(&limits, block.b_limits, sizeof(limits));
-    V least[width] = {};
+    V least = {};
 #pragma GCC unroll 4
     for(std::size_t i = 0; i < rows; ++i)
 #pragma GCC unroll 2
       for(std::size_t w = 0; w < width; ++w)
       {
-        const V distance = block.a_norms[i] + norms[w] - 2.f * products[i][w];
-        products[i][w] = distance;
-        const V row_limit = V{} + block.a_limits[i];
-        const V limit = limits[w] > row_limit ? limits[w] : row_limit;
-        const V above = distance - limit;
-        least[w] = above < least[w] ? above : least[w];
+        const V distance = block.a_norms[i] + at(block.b_norms)[w] - 2.f * products[i][w];
+        reinterpret_cast<V*>(block.distances)[i * width + w] = distance;
+        const V row_limit = V{} + block.a_limits[i], column_limit = at(block.b_limits)[w];
+        const V above = distance - (column_limit > row_limit ? column_limit : row_limit);
+        least = above < least ? above : least;
       }
-    std::memcpy(block.distances, &products, sizeof(products));
 
     // is the sign bit of one of them set?
-    std::uint32_t bits[width * lanes], signs = 0;
+    std::uint32_t bits[lanes], signs = 0;
     std::memcpy(&bits, &least, sizeof(bits));
-    for(std::size_t l = 0; l < width * lanes; ++l)
+    for(std::size_t l = 0; l < lanes; ++l)
       signs |= bits[l];
     return (signs >> 31) != 0;
   }

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include <boost/align/aligned_allocator.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -87,12 +89,16 @@ private:
   static constexpr std::size_t s_block_size = 256; // rows whose numbers stay in the cache
   static_assert(s_block_size % Descriptor_block::rows == 0, "blocks begin with a group of rows");
 
+  using Aligned_floats =
+      std::vector<float, boost::alignment::aligned_allocator<float, Descriptor_block::alignment>>;
+
   struct Workspace
   {
     std::vector<Neighbor> of_target;
-    std::vector<float> limits;
+    Aligned_floats limits;
     std::vector<float> row_limits;
-    alignas(64) float distances[Descriptor_block::rows * Descriptor_block::largest_panel];
+    alignas(Descriptor_block::alignment) float distances[Descriptor_block::rows *
+                                                         Descriptor_block::largest_panel];
   };
 
   static void collect_rows(const Descriptor_matrix& matrix, std::vector<std::uint32_t>& rows)
@@ -257,7 +263,8 @@ private:
   Descriptor_block::Implementation m_implementation;
   const Descriptor_matrix &m_source, &m_target;
   std::vector<std::uint32_t> m_source_rows, m_target_rows;
-  std::vector<float> m_a, m_b, m_a_norms, m_b_norms;
+  std::vector<float> m_a, m_a_norms;
+  Aligned_floats m_b, m_b_norms;
   double m_scale = 1.; // of the copies
   std::vector<Neighbor> m_of_source, m_of_target;
   std::mutex m_mutex;
