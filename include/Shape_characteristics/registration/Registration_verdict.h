@@ -1,0 +1,37 @@
+#ifndef SHAPE_CHARACTERISTICS_REGISTRATION_REGISTRATION_VERDICT_H
+#define SHAPE_CHARACTERISTICS_REGISTRATION_REGISTRATION_VERDICT_H
+
+namespace Shape_characteristics {
+
+/*!
+  \ingroup PkgShapeCharacteristicsRegistration
+
+  says whether two scans were registered.
+*/
+enum class Registration_verdict : unsigned char
+{
+  SUCCESS,   ///< one motion, and no other, brings the scans together
+  AMBIGUOUS, ///< several motions do so almost equally well, and the scans can't tell which is meant
+  FAILED     ///< none was found
+};
+
+/*!
+  \ingroup PkgShapeCharacteristicsRegistration
+
+  says why two scans were not registered.
+*/
+enum class Registration_obstacle : unsigned char
+{
+  NONE,                ///< nothing: the verdict is `SUCCESS`
+  FEW_SAMPLES,         ///< a scan has too few points that can be used
+  FEW_CORRESPONDENCES, ///< too few descriptors are alike: the surfaces have nothing in common, or no features at all
+  SURFACES_DISAGREE, ///< what was found doesn't bring the surfaces together
+  DIFFERENT_UNITS,   ///< one scan is many times as large as the other, with points as many times as far apart
+  REFLECTION,        ///< the scans come together if one is mirrored
+  SLIDING,           ///< the surfaces can be moved along each other: planes, spheres, cylinders
+  SEVERAL_MOTIONS    ///< the object can't be told from itself after a rotation
+};
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_REGISTRATION_REGISTRATION_VERDICT_H

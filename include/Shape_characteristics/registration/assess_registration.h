@@ -1,0 +1,49 @@
+#ifndef SHAPE_CHARACTERISTICS_REGISTRATION_ASSESS_REGISTRATION_H
+#define SHAPE_CHARACTERISTICS_REGISTRATION_ASSESS_REGISTRATION_H
+
+#include <Shape_characteristics/registration/Oriented_points.h>
+#include <Shape_characteristics/registration/Registration_quality.h>
+#include <Shape_characteristics/registration/internal/Registration_assessor.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace Shape_characteristics {
+
+/*!
+  \ingroup PkgShapeCharacteristicsRegistration
+
+  tells how well two scans fit together after a motion of one of them, whoever found it.
+
+  The thesis leaves open how wrong registrations are found without somebody who looks at them (10.2.4). Where surfaces that
+  belong together are near each other they coincide, and where surfaces that don't are near, they cross: of a right
+  registration, most of the points that are near the other scan meet it. By `Registration_quality::agreement` above .25
+  nearly all right registrations are told from nearly all wrong ones, those of mirrored sides included.
+
+  \param source the source
+  \param target the target
+  \param motion the motion of the source
+
+  \return the quality; all its numbers are 0 if the scans aren't near each other anywhere, or one has no two different points that
+          can be used
+
+  The spacing of a scan is the mean distance of its points to their 6 nearest ones; the larger one of the two is taken. If scans are
+  not equally dense, the denser one should be thinned out.
+
+  Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ points.
+*/
+inline Registration_quality assess_registration(const Oriented_points& source,
+                                                const Oriented_points& target,
+                                                const Eigen::Isometry3d& motion)
+{
+  const double spacing = (std::max)(internal::Registration_assessor::spacing(source),
+                                    internal::Registration_assessor::spacing(target));
+  if(!(spacing > 0.))
+    return {};
+  return internal::Registration_assessor(source, target, spacing)(motion);
+}
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_REGISTRATION_ASSESS_REGISTRATION_H

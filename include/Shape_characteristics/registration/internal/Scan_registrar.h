@@ -1,0 +1,444 @@
+#ifndef SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_SCAN_REGISTRAR_H
+#define SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_SCAN_REGISTRAR_H
+
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
+#include <Shape_characteristics/descriptors/compute_descriptors.h>
+#include <Shape_characteristics/registration/Correspondence.h>
+#include <Shape_characteristics/registration/Oriented_points.h>
+#include <Shape_characteristics/registration/Registration_quality.h>
+#include <Shape_characteristics/registration/Registration_verdict.h>
+#include <Shape_characteristics/registration/Rigid_alignment.h>
+#include <Shape_characteristics/registration/fast_global_registration.h>
+#include <Shape_characteristics/registration/internal/Registration_assessor.h>
+#include <Shape_characteristics/registration/internal/thin_out.h>
+#include <Shape_characteristics/registration/internal/usable_points.h>
+#include <Shape_characteristics/registration/iterative_closest_point.h>
+#include <Shape_characteristics/registration/match_descriptors.h>
+#include <Shape_characteristics/registration/tuple_test.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+#include <Shape_characteristics/sampling/Point_set_samples.h>
+
+#include <CGAL/property_map.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// A motion that may be the right one. It begins with a reflection at x = 0 if `is_reflection`.
+struct Registration_hypothesis
+{
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();
+  Registration_quality quality;
+  bool is_reflection = false;
+};
+
+struct Registration_outcome
+{
+  Registration_verdict verdict = Registration_verdict::FAILED;
+  Registration_obstacle obstacle = Registration_obstacle::FEW_SAMPLES;
+  double confidence = 0.;
+  double scale_ratio = 1.;
+  // the best one first; none if there was nothing to try
+  std::vector<Registration_hypothesis> hypotheses;
+};
+
+struct Registration_options
+{
+  std::size_t maximum_number_of_samples = 6000;
+  std::size_t number_of_neighbors = 60;
+  std::uint64_t seed = 0;
+  std::function<bool(double)> callback;
+};
+
+// What the pipeline does with two scans, in coordinates in which both have their centroids in the origin.
+template <typename ConcurrencyTag>
+class Scan_registrar
+{
+public:
+  static Registration_outcome
+  run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
+  {
+    const Oriented_points s = usable_points(source), t = usable_points(target);
+    const Eigen::Vector3d source_center = mean_point(s.points), target_center = mean_point(t.points);
+    const Oriented_points centered_source = moved(s, source_center, 1.);
+    const Oriented_points centered_target = moved(t, target_center, 1.);
+    Registration_outcome outcome;
+    if(s.size() < s_few || t.size() < s_few)
+      return outcome;
+
+    double scale = 1.;
+    outcome = Scan_registrar(centered_source, centered_target, options).run();
+    if(outcome.verdict == Registration_verdict::FAILED)
+    {
+      // The same object in other units has another size and, by the same factor, other distances of points.
+      const double ratio = radius(centered_source) / radius(centered_target);
+      if(std::isfinite(ratio) && ratio > 0. && (ratio > s_other_unit || ratio < 1. / s_other_unit))
+      {
+        const Oriented_points scaled = moved(s, source_center, 1. / ratio);
+        const Registration_outcome other = Scan_registrar(scaled, centered_target, options).run();
+        if(other.verdict != Registration_verdict::FAILED)
+        {
+          outcome = other;
+          outcome.verdict = Registration_verdict::FAILED;
+          outcome.obstacle = Registration_obstacle::DIFFERENT_UNITS;
+          outcome.scale_ratio = ratio;
+          scale = 1. / ratio;
+        }
+      }
+    }
+    for(Registration_hypothesis& h : outcome.hypotheses)
+    {
+      h.motion.linear() *= scale;
+      h.motion.translation() = target_center + (h.motion.translation() - h.motion.linear() * source_center);
+    }
+    return outcome;
+  }
+
+private:
+  static constexpr std::size_t s_few = 10;    // points or matches that say nothing
+  static constexpr double s_other_unit = 2.5; // ratio of sizes: inches are 2.54 centimeters
+  static constexpr double s_agreement = .25;  // share of near points that meet, of right registrations
+  static constexpr double s_good_agreement = .45;
+  static constexpr double s_different = .1; // mean distance between two motions, in radii of the source
+  static constexpr double s_as_good = .85;  // agreement of another motion, relative to the best
+  static constexpr double s_slack = .05;    // eigenvalues below which a motion is tried out
+
+  static constexpr std::size_t s_enough_to_refine = 2000; // points
+
+  using Twist = Eigen::Matrix<double, 6, 1>;
+
+  Scan_registrar(const Oriented_points& source,
+                 const Oriented_points& target,
+                 const Registration_options& options)
+    : m_options(options),
+      m_source(thin_out_to(source, options.maximum_number_of_samples)),
+      m_target(thin_out_to(target, options.maximum_number_of_samples)),
+      m_spacing(make_equally_dense()),
+      m_radius(radius(m_source)),
+      m_assessor(m_source, m_target, m_spacing)
+  {
+    const std::size_t step = m_source.size() / s_enough_to_refine + 1;
+    for(std::size_t i = 0; i < m_source.size(); i += step)
+    {
+      m_sparse_source.points.push_back(m_source.points[i]);
+      m_sparse_source.normals.push_back(m_source.normals[i]);
+    }
+  }
+
+  static Oriented_points moved(const Oriented_points& scan, const Eigen::Vector3d& center, double scale)
+  {
+    Oriented_points result = scan;
+    for(Eigen::Vector3d& p : result.points)
+      p = scale * (p - center);
+    return result;
+  }
+
+  static double radius(const Oriented_points& scan)
+  {
+    double result = 0.;
+    for(const Eigen::Vector3d& p : scan.points)
+      result = (std::max)(result, p.norm());
+    return result;
+  }
+
+  // Neighborhoods of the same size must hold the same of the surface.
+  double make_equally_dense()
+  {
+    constexpr double tolerance = 1.25;
+    double of_source = Registration_assessor::spacing(m_source);
+    double of_target = Registration_assessor::spacing(m_target);
+    for(int k = 0; k < 3; ++k)
+    {
+      Oriented_points& dense = of_source < of_target ? m_source : m_target;
+      double& of_dense = of_source < of_target ? of_source : of_target;
+      const double wanted = (std::max)(of_source, of_target);
+      if(!(of_dense > 0.) || wanted <= tolerance * of_dense)
+        break;
+      // points that are thinned out have their 6 nearest ones at 1.3 times the least distance
+      dense = thin_out(dense, wanted / 1.3, dense.size());
+      of_dense = Registration_assessor::spacing(dense);
+    }
+    return (std::max)(of_source, of_target);
+  }
+
+  Registration_outcome run()
+  {
+    Registration_outcome outcome;
+    if(m_source.size() < s_few || m_target.size() < s_few || !(m_spacing > 0.) || !(m_radius > 0.))
+      return outcome;
+    outcome.obstacle = Registration_obstacle::FEW_CORRESPONDENCES;
+
+    std::vector<Registration_hypothesis> found;
+    // other sizes of neighborhoods, and matches that the mirrored descriptors would forbid, where the first don't do
+    const std::size_t n = m_options.number_of_neighbors;
+    const std::pair<std::size_t, bool> attempts[] = {
+        {n, true}, {5 * n / 2, true}, {n, false}, {n / 3, false}};
+    double done = 0.;
+    for(const auto& [neighbors, uses_mirrored] : attempts)
+    {
+      try_features((std::max)(neighbors, std::size_t(8)), uses_mirrored, found, outcome.obstacle);
+      done += .2;
+      if(m_options.callback && !m_options.callback(done))
+        return outcome;
+      if(!found.empty() && found[0].quality.agreement >= s_good_agreement)
+        break;
+    }
+    if(found.empty() || !passes(found[0].quality))
+      try_frames(found);
+    if(found.empty())
+      return outcome;
+    outcome.hypotheses = found;
+    const Registration_hypothesis best = found[0];
+    if(!passes(best.quality))
+    {
+      outcome.obstacle = Registration_obstacle::SURFACES_DISAGREE;
+      outcome.confidence = 0.;
+      return outcome;
+    }
+    try_sliding(best, found);
+    outcome.hypotheses = {best};
+    for(const Registration_hypothesis& h : found)
+      if(is_as_good(h.quality, best.quality) &&
+         std::all_of(outcome.hypotheses.begin(), outcome.hypotheses.end(),
+                     [&](const Registration_hypothesis& other)
+                     { return is_different(h.motion, other.motion); }))
+        outcome.hypotheses.push_back(h);
+    outcome.confidence = confidence(best.quality);
+    if(outcome.hypotheses.size() == 1)
+    {
+      outcome.verdict = Registration_verdict::SUCCESS;
+      outcome.obstacle = Registration_obstacle::NONE;
+    }
+    else
+    {
+      outcome.verdict = Registration_verdict::AMBIGUOUS;
+      outcome.obstacle = m_slides ? Registration_obstacle::SLIDING : Registration_obstacle::SEVERAL_MOTIONS;
+      outcome.confidence /= double(outcome.hypotheses.size());
+    }
+    return outcome;
+  }
+
+  static bool passes(const Registration_quality& q)
+  {
+    return q.number_of_near_points >= s_few && q.agreement >= s_agreement;
+  }
+
+  static bool is_as_good(const Registration_quality& q, const Registration_quality& best)
+  {
+    return passes(q) && q.agreement >= s_as_good * best.agreement && q.overlap >= .7 * best.overlap;
+  }
+
+  static double score(const Registration_quality& q)
+  {
+    // few points agree by chance
+    return q.agreement * std::sqrt(q.overlap);
+  }
+
+  static double confidence(const Registration_quality& q)
+  {
+    return (std::min)(1., q.agreement / (2. * s_agreement));
+  }
+
+  bool is_different(const Eigen::Affine3d& a, const Eigen::Affine3d& b) const
+  {
+    double sum = 0.;
+    for(const Eigen::Vector3d& p : m_source.points)
+      sum += (a * p - b * p).norm();
+    return sum > s_different * m_radius * double(m_source.size());
+  }
+
+  void keep(const Eigen::Isometry3d& motion, std::vector<Registration_hypothesis>& found) const
+  {
+    Registration_hypothesis h;
+    h.motion = motion;
+    h.quality = m_assessor(motion);
+    const auto place = std::upper_bound(found.begin(), found.end(), h,
+                                        [](const Registration_hypothesis& a, const Registration_hypothesis& b)
+                                        { return score(a.quality) > score(b.quality); });
+    found.insert(place, h);
+  }
+
+  struct Features
+  {
+    Descriptor_matrix values, mirrored;
+  };
+
+  Features features(const Oriented_points& scan, std::size_t neighbors) const
+  {
+    // a disc of the radius has as many points if they lie as evenly as they can
+    const double reach = m_spacing * std::sqrt(double(neighbors) * .2757);
+    Point_set_samples samples(scan.points, CGAL::Identity_property_map<Eigen::Vector3d>(),
+                              Neighborhood::ball(reach));
+    samples.set_normals(scan.normals);
+    using Descriptor = Fpfh_descriptor<Point_set_samples>;
+    const Descriptor descriptor(samples, Fpfh_variant::OPEN3D, ConcurrencyTag());
+    Features result;
+    result.values = compute_descriptors<ConcurrencyTag>(descriptor, samples.size());
+    result.mirrored = result.values;
+    for(Eigen::Index i = 0; i < result.values.values.rows(); ++i)
+      Descriptor::mirrored(result.values.values.row(i).data(), result.mirrored.values.row(i).data());
+    return result;
+  }
+
+  void try_features(std::size_t neighbors,
+                    bool uses_mirrored,
+                    std::vector<Registration_hypothesis>& found,
+                    Registration_obstacle& obstacle)
+  {
+    const Features of_source = features(m_source, neighbors), of_target = features(m_target, neighbors);
+    std::vector<Correspondence> matches =
+        uses_mirrored ? match_descriptors<ConcurrencyTag>(
+                            of_source.values, of_target.values,
+                            parameters::mirrored_target_descriptors(std::cref(of_target.mirrored)))
+                      : match_descriptors<ConcurrencyTag>(of_source.values, of_target.values);
+    // Then what the first motion leaves over: objects that are their own after a rotation have several.
+    for(int round = 0; round < 2; ++round)
+    {
+      if(matches.size() < s_few)
+        return;
+      const std::vector<Correspondence> tuples =
+          tuple_test(m_source, m_target, matches, parameters::random_seed(m_options.seed));
+      if(tuples.size() < 3 * s_few)
+        return;
+      const Rigid_alignment coarse = fast_global_registration(m_source, m_target, tuples);
+      if(!is_estimated(coarse.status))
+        return;
+      obstacle = Registration_obstacle::SURFACES_DISAGREE;
+      refine(coarse.transformation, found);
+      if(found.empty() || found[0].quality.agreement < s_agreement)
+        return;
+      const Eigen::Affine3d& motion = found[0].motion;
+      const double far = 6. * m_spacing;
+      matches.erase(
+          std::remove_if(matches.begin(), matches.end(),
+                         [&](const Correspondence& c) {
+                           return (motion * m_source.points[c.source] - m_target.points[c.target]).norm() <
+                                  far;
+                         }),
+          matches.end());
+    }
+  }
+
+  void refine(const Eigen::Isometry3d& start, std::vector<Registration_hypothesis>& found) const
+  {
+    const Rigid_alignment fine = iterative_closest_point<ConcurrencyTag>(m_sparse_source, m_target, start);
+    keep(is_estimated(fine.status) ? fine.transformation : start, found);
+  }
+
+  // Without features, whole objects lie on each other in one of the 24 positions of their principal axes.
+  void try_frames(std::vector<Registration_hypothesis>& found) const
+  {
+    const Eigen::Matrix3d of_source = axes(m_source), of_target = axes(m_target);
+    std::vector<Registration_hypothesis> candidates;
+    for(int k = 0; k < 48; ++k)
+    {
+      static constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+      Eigen::Matrix3d permutation = Eigen::Matrix3d::Zero();
+      for(int r = 0; r < 3; ++r)
+        permutation(r, orders[k / 8][r]) = (k >> r & 1) != 0 ? -1. : 1.;
+      if(permutation.determinant() < 0.)
+        continue;
+      Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+      motion.linear() = of_target * permutation * of_source.transpose();
+      keep(motion, candidates);
+    }
+    const std::size_t kept = (std::min)(candidates.size(), std::size_t(3));
+    for(std::size_t k = 0; k < kept; ++k)
+      refine(Eigen::Isometry3d(candidates[k].motion.matrix()), found);
+  }
+
+  static Eigen::Matrix3d axes(const Oriented_points& scan)
+  {
+    Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+    for(const Eigen::Vector3d& p : scan.points)
+      scatter += p * p.transpose() / double(scan.size());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scatter);
+    Eigen::Matrix3d result = solver.eigenvectors();
+    result.col(2) = result.col(0).cross(result.col(1));
+    return result;
+  }
+
+  // Moves the source along the target where nothing seems to hold it.
+  void try_sliding(const Registration_hypothesis& best, std::vector<Registration_hypothesis>& found)
+  {
+    Eigen::Vector3d center = best.motion * mean_point(m_source.points);
+    const double size = m_radius;
+    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+    for(std::size_t i = 0; i < m_source.size(); ++i)
+    {
+      const Eigen::Vector3d p = best.motion * m_source.points[i],
+                            n = best.motion.linear() * m_source.normals[i];
+      if(!m_assessor.is_near(p))
+        continue;
+      Twist row;
+      row << ((p - center) / size).cross(n), n;
+      matrix += row * row.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(matrix);
+    for(int k = 0; k < 3; ++k)
+    {
+      if(solver.eigenvalues()[k] > s_slack * solver.eigenvalues()[5])
+        break;
+      for(const double sign : {-1., 1.})
+      {
+        const Twist twist = sign * solver.eigenvectors().col(k);
+        Registration_hypothesis moved;
+        moved.motion = slid(best.motion, twist, center, size);
+        const std::size_t before = found.size();
+        refine(Eigen::Isometry3d(moved.motion.matrix()), found);
+        if(found.size() == before)
+          continue;
+        for(const Registration_hypothesis& h : found)
+          if(is_different(h.motion, best.motion) && is_as_good(h.quality, best.quality))
+          {
+            m_slides = true;
+            return;
+          }
+      }
+    }
+  }
+
+  // Moves points by 1.5 times the distance from which on motions are different, on average.
+  Eigen::Affine3d
+  slid(const Eigen::Affine3d& motion, const Twist& twist, const Eigen::Vector3d& center, double size) const
+  {
+    const auto step = [&](const double length)
+    {
+      const Eigen::Vector3d axis = length * twist.head<3>();
+      Eigen::Affine3d result = Eigen::Affine3d::Identity();
+      if(axis.norm() > 0.)
+        result.linear() = Eigen::AngleAxisd(axis.norm(), axis.normalized()).toRotationMatrix();
+      result.translation() = center + size * length * twist.tail<3>() - result.linear() * center;
+      return result;
+    };
+    constexpr double small = 1e-3;
+    double sum = 0.;
+    for(const Eigen::Vector3d& p : m_source.points)
+      sum += (step(small) * (motion * p) - motion * p).norm() / double(m_source.size());
+    return step(small * 1.5 * s_different * m_radius / sum) * motion;
+  }
+
+  const Registration_options& m_options;
+  Oriented_points m_source, m_target, m_sparse_source;
+  double m_spacing, m_radius;
+  Registration_assessor m_assessor;
+  bool m_slides = false;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_SCAN_REGISTRAR_H
