@@ -42,8 +42,8 @@ namespace Shape_characteristics {
   those of its neighbors (see `Fpfh_variant`), and so reaches twice as far as the neighborhood.
 
   All values are at least 0 and have no unit. They don't change when the surface is moved, turned or scaled, but for
-  pairs at the very edge of a bin, which rounding may move over. Flipping all normals negates \f$ \alpha \f$, as mirroring does,
-  and \f$ \phi \f$.
+  pairs at the very edge of a bin, which rounding may move over. Flipping all normals negates \f$ \theta \f$ and
+  \f$ \phi \f$: it reverses the first and the third histogram.
 
   Pairs without features are left out: points that coincide, and those where \f$ d \f$ is parallel to \f$ u \f$. Samples whose points
   or normals are not finite are nobody's neighbors. The status of a sample is
