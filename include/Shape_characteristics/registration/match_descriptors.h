@@ -29,6 +29,18 @@ inline void check_descriptors(const Descriptor_matrix& matrix, const Descriptor_
         "Shape_characteristics: descriptors of different dimensions can't be matched");
 }
 
+template <typename T>
+const T& unwrapped(const T& value)
+{
+  return value;
+}
+
+template <typename T>
+const T& unwrapped(const std::reference_wrapper<T>& reference)
+{
+  return reference.get();
+}
+
 // the samples of the rows of a matrix: those given, or 0, 1, 2, ...
 template <typename Parameter>
 std::vector<std::uint32_t> samples_of_rows(const Parameter& given, const Descriptor_matrix& matrix)
@@ -39,7 +51,7 @@ std::vector<std::uint32_t> samples_of_rows(const Parameter& given, const Descrip
     for(std::size_t i = 0; i < rows; ++i)
       result.push_back(std::uint32_t(i));
   else
-    for(const auto& sample : given)
+    for(const auto& sample : unwrapped(given))
       result.push_back(static_cast<std::uint32_t>(sample));
   if(result.size() != rows)
     throw std::invalid_argument(
@@ -143,7 +155,7 @@ std::vector<Correspondence> match_descriptors(const Descriptor_matrix& source,
     add_matches([](std::uint32_t, const auto&) { return false; });
   else
   {
-    const Descriptor_matrix& mirrored = mirrored_parameter;
+    const Descriptor_matrix& mirrored = internal::unwrapped(mirrored_parameter);
     internal::check_descriptors(mirrored, target);
     if(mirrored.values.rows() != target.values.rows())
       throw std::invalid_argument(
