@@ -1,0 +1,76 @@
+// In a file of its own: PCL's headers are slow to compile.
+#include "pcl_descriptors.h"
+
+#ifdef SHAPE_CHARACTERISTICS_BENCHMARK_PCL
+
+#include <pcl/features/fpfh.h>
+#include <pcl/features/pfh.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/search/kdtree.h>
+
+#include <chrono>
+#include <cstddef>
+
+namespace descriptors {
+namespace {
+
+template <typename Estimation, typename Signature>
+Peer_result estimate(const Oriented_cloud& cloud, double radius)
+{
+  const pcl::PointCloud<pcl::PointXYZ>::Ptr points(new pcl::PointCloud<pcl::PointXYZ>);
+  const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  for(std::size_t i = 0; i < cloud.points.size(); ++i)
+  {
+    const auto &p = cloud.points[i], &n = cloud.normals[i];
+    points->push_back(pcl::PointXYZ(p[0], p[1], p[2]));
+    normals->push_back(pcl::Normal(n[0], n[1], n[2]));
+  }
+  const auto start = std::chrono::steady_clock::now();
+  Estimation estimation;
+  estimation.setInputCloud(points);
+  estimation.setInputNormals(normals);
+  estimation.setSearchMethod(pcl::search::KdTree<pcl::PointXYZ>::Ptr(new pcl::search::KdTree<pcl::PointXYZ>));
+  estimation.setRadiusSearch(radius);
+  pcl::PointCloud<Signature> signatures;
+  estimation.compute(signatures);
+  Peer_result result;
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  for(const Signature& s : signatures)
+    result.values.insert(result.values.end(), s.histogram, s.histogram + Signature::descriptorSize());
+  return result;
+}
+
+} // namespace
+
+Peer_result pcl_fpfh(const Oriented_cloud& cloud, double radius)
+{
+  using Estimation = pcl::FPFHEstimation<pcl::PointXYZ, pcl::Normal, pcl::FPFHSignature33>;
+  return estimate<Estimation, pcl::FPFHSignature33>(cloud, radius);
+}
+
+Peer_result pcl_pfh(const Oriented_cloud& cloud, double radius)
+{
+  using Estimation = pcl::PFHEstimation<pcl::PointXYZ, pcl::Normal, pcl::PFHSignature125>;
+  return estimate<Estimation, pcl::PFHSignature125>(cloud, radius);
+}
+
+} // namespace descriptors
+
+#else
+
+namespace descriptors {
+
+Peer_result pcl_fpfh(const Oriented_cloud&, double)
+{
+  return {};
+}
+
+Peer_result pcl_pfh(const Oriented_cloud&, double)
+{
+  return {};
+}
+
+} // namespace descriptors
+
+#endif
