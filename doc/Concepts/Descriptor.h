@@ -34,6 +34,10 @@ public:
   /// quiet NaN and why there is none. May be called by several threads at a time, each with a workspace of its own.
   Estimation_status operator()(std::size_t i, Workspace& workspace, float* row) const;
 
+  /// returns all samples in an order in which they are best visited, a range of unsigned integers with subscripts and
+  /// `size()`. Not every model has it; samples are then visited in the order of their numbers.
+  unspecified_type order() const;
+
   /// writes to `result` what would be the descriptor of the mirrored surface at the sample whose descriptor is `row`. Not
   /// every model has it.
   void mirrored(const float* row, float* result) const;

@@ -50,7 +50,7 @@ namespace Shape_characteristics {
   - `FEW_NEIGHBOURS` if it has less than 2 neighbors,
   - `DEGENERATE` if all its neighbors lie on one line through it, or no pair has features.
 
-  Complexity: \f$ O(m) \f$ for each sample with \f$ m \f$ neighbors, beside the search for them. The memory is 160 bytes
+  Complexity: \f$ O(m) \f$ for each sample with \f$ m \f$ neighbors, beside the search for them. The memory is 168 bytes
   for a sample, and 4 for each of its neighbors.
 
   \tparam SampledSurface a model of the concept `SampledSurface`
@@ -127,6 +127,9 @@ public:
     return status;
   }
 
+  /// the samples in an order in which they have much in common with those before
+  const std::vector<Index>& order() const noexcept { return m_order; }
+
   /// writes the FPFH of the mirrored surface: that of `row` with the histogram of \f$ \alpha \f$ reversed.
   static void mirrored(const float* row, float* result)
   {
@@ -167,6 +170,11 @@ private:
 
     const std::size_t size = m_surface.size();
     m_status.assign(size, Estimation_status::CANCELLED);
+    // Samples that are close to each other one after the other: what one has read is at hand for the next.
+    m_order = m_surface.traversal_order();
+    m_places.resize(size);
+    for(std::size_t k = 0; k < size; ++k)
+      m_places[m_order[k]] = Index(k);
     m_lists.resize((size + s_block - 1) / s_block);
     bool go_on = for_each_sample<ConcurrencyTag, typename SampledSurface::Workspace>(
         m_lists.size(),
@@ -184,8 +192,9 @@ private:
     m_histograms.resize(size * s_stride);
     go_on = for_each_sample<ConcurrencyTag, Preparation>(
         size,
-        [&](const std::size_t i, Preparation& preparation)
+        [&](const std::size_t k, Preparation& preparation)
         {
+          const std::size_t i = m_order[k];
           if(is_needed[i])
             m_status[i] = count_pairs(i, is_described[i], preparation);
         },
@@ -201,14 +210,15 @@ private:
     Lists& lists = m_lists[block];
     const std::size_t first = block * s_block, last = (std::min)(first + s_block, m_surface.size());
     lists.begin.fill(0);
-    for(std::size_t i = first; i < last; ++i)
+    for(std::size_t k = first; k < last; ++k)
     {
+      const std::size_t i = m_order[k];
       if(is_described[i] && is_estimated(m_surface.status(i)))
       {
         const std::vector<Index>& neighbors = m_surface.neighbors(i, s_minimum, workspace);
         lists.neighbors.insert(lists.neighbors.end(), neighbors.begin(), neighbors.end());
       }
-      lists.begin[i - first + 1] = std::uint32_t(lists.neighbors.size());
+      lists.begin[k - first + 1] = std::uint32_t(lists.neighbors.size());
     }
     lists.neighbors.shrink_to_fit();
   }
@@ -216,9 +226,10 @@ private:
   // the neighbors of a sample that is described
   std::pair<const Index*, const Index*> neighbors(std::size_t i) const
   {
-    const Lists& lists = m_lists[i / s_block];
+    const std::size_t place = m_places[i], k = place % s_block;
+    const Lists& lists = m_lists[place / s_block];
     const Index* const list = lists.neighbors.data();
-    return {list + lists.begin[i % s_block], list + lists.begin[i % s_block + 1]};
+    return {list + lists.begin[k], list + lists.begin[k + 1]};
   }
 
   // the simple histograms of sample `i`
@@ -314,7 +325,9 @@ private:
   const SampledSurface& m_surface;
   Fpfh_variant m_variant;
   std::vector<Estimation_status> m_status;
-  std::vector<Lists> m_lists;      // of the samples that are described, by block
+  std::vector<Index> m_order;      // the samples, those that are close to each other one after the other
+  std::vector<Index> m_places;     // of the samples in that order
+  std::vector<Lists> m_lists;      // of the samples that are described, by block of the order
   std::vector<float> m_histograms; // simple ones, by sample: `s_stride` each
 };
 

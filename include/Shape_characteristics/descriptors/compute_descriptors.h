@@ -12,15 +12,28 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
 
-// row `k` is the descriptor of the sample `sample(k)`
-template <typename ConcurrencyTag, typename Descriptor, typename Sample>
+// whether a descriptor says in which order samples are best visited
+template <typename Descriptor, typename = void>
+struct Has_order : std::false_type
+{};
+
+template <typename Descriptor>
+struct Has_order<Descriptor, std::void_t<decltype(std::declval<const Descriptor&>().order())> >
+  : std::true_type
+{};
+
+// Row `r` is the descriptor of the sample `sample(r)`; the rows are computed in the order `row(0), row(1), ...`.
+template <typename ConcurrencyTag, typename Descriptor, typename Row, typename Sample>
 Descriptor_matrix compute_descriptor_rows(const Descriptor& descriptor,
                                           std::size_t rows,
+                                          const Row& row,
                                           const Sample& sample,
                                           const std::function<bool(double)>& callback)
 {
@@ -37,7 +50,10 @@ Descriptor_matrix compute_descriptor_rows(const Descriptor& descriptor,
   for_each_sample<ConcurrencyTag, Workspace>(
       rows,
       [&](const std::size_t k, Workspace& workspace)
-      { result.status[k] = descriptor(sample(k), workspace, values + k * dimension); },
+      {
+        const std::size_t r = row(k);
+        result.status[r] = descriptor(sample(r), workspace, values + r * dimension);
+      },
       callback);
   return result;
 }
@@ -66,8 +82,14 @@ compute_descriptors(const Descriptor& descriptor,
                     std::size_t number_of_samples,
                     const std::function<bool(double)>& callback = std::function<bool(double)>())
 {
-  return internal::compute_descriptor_rows<ConcurrencyTag>(
-      descriptor, number_of_samples, [](const std::size_t k) { return k; }, callback);
+  const auto same = [](const std::size_t k) { return k; };
+  if constexpr(internal::Has_order<Descriptor>::value)
+    if(descriptor.order().size() == number_of_samples)
+      return internal::compute_descriptor_rows<ConcurrencyTag>(
+          descriptor, number_of_samples, [&](const std::size_t k) { return descriptor.order()[k]; }, same,
+          callback);
+  return internal::compute_descriptor_rows<ConcurrencyTag>(descriptor, number_of_samples, same, same,
+                                                           callback);
 }
 
 /*!
@@ -93,7 +115,8 @@ compute_descriptors(const Descriptor& descriptor,
                     const std::function<bool(double)>& callback = std::function<bool(double)>())
 {
   return internal::compute_descriptor_rows<ConcurrencyTag>(
-      descriptor, samples.size(), [&](const std::size_t k) { return samples[k]; }, callback);
+      descriptor, samples.size(), [](const std::size_t k) { return k; },
+      [&](const std::size_t k) { return samples[k]; }, callback);
 }
 
 } // namespace Shape_characteristics
