@@ -10,7 +10,7 @@ namespace registration {
 namespace {
 
 const char* const header =
-    "surface,protocol,variant,neighbors,head,number,error,overlap,mirrored,agreement,near,"
+    "surface,protocol,variant,neighbors,head,number,error,overlap,mirrored,agreement,near,expected,"
     "correlation,verdict,describe,match,solve";
 
 } // namespace
@@ -35,7 +35,7 @@ Trials::Trials(const std::string& file) : m_file(file)
     std::istringstream parts(line);
     for(std::string cell; std::getline(parts, cell, ',');)
       cells.push_back(cell);
-    if(cells.size() != 16)
+    if(cells.size() != 17)
       continue; // cut off when the program was
     const auto number = [&](const std::size_t k) { return std::stod(cells[k]); };
     const auto count = [&](const std::size_t k) { return std::size_t(std::stoull(cells[k])); };
@@ -45,11 +45,12 @@ Trials::Trials(const std::string& file) : m_file(file)
     result.mirrored = number(8);
     result.agreement = number(9);
     result.near = number(10);
-    result.correlation = number(11);
-    result.verdict = cells[12];
-    result.describe = number(13);
-    result.match = number(14);
-    result.solve = number(15);
+    result.expected = number(11);
+    result.correlation = number(12);
+    result.verdict = cells[13];
+    result.describe = number(14);
+    result.match = number(15);
+    result.solve = number(16);
     m_results[{cells[0], cells[1], cells[2], count(3), count(4), count(5)}] = result;
   }
 }
@@ -59,8 +60,9 @@ void Trials::add(const Trial_id& id, const Trial_result& result)
   std::ofstream out(m_file, std::ios::app);
   out << id.surface << ',' << id.protocol << ',' << id.variant << ',' << id.neighbors << ',' << id.head << ','
       << id.number << ',' << std::setprecision(6) << result.error << ',' << result.overlap << ','
-      << result.mirrored << ',' << result.agreement << ',' << result.near << ',' << result.correlation << ','
-      << result.verdict << ',' << result.describe << ',' << result.match << ',' << result.solve << '\n';
+      << result.mirrored << ',' << result.agreement << ',' << result.near << ',' << result.expected << ','
+      << result.correlation << ',' << result.verdict << ',' << result.describe << ',' << result.match << ','
+      << result.solve << '\n';
   if(!out)
     throw std::runtime_error("can't write " + m_file);
   m_results[id] = result;

@@ -30,6 +30,7 @@ struct Trial_result
   double mirrored = 0.;                         ///< share of mirrored correspondences among the final inliers
   double agreement = 0.;                        ///< see Shape_characteristics::Registration_quality
   double near = 0.;                             ///< likewise: overlap
+  double expected = 0.;                         ///< likewise: expected agreement
   double correlation = 0.;                      ///< likewise: of curvatures
   std::string verdict = "-";                    ///< of variants that have one
   double describe = 0., match = 0., solve = 0.; ///< seconds

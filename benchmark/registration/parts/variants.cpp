@@ -1,5 +1,7 @@
 #include "variants.h"
 
+#include "signals.h"
+
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
@@ -19,7 +21,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <functional>
 #include <stdexcept>
 #include <utility>
@@ -37,7 +39,7 @@ using SC::Point_set_samples;
 
 double now()
 {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  return double(std::clock()) / CLOCKS_PER_SEC; // of the processor: others may be at work
 }
 
 // in which a neighborhood has so many other points on average over both parts
@@ -114,18 +116,61 @@ double mirrored_share(const Split& split, const std::vector<Correspondence>& inl
   return inliers.empty() ? 0. : double(mirrored) / double(inliers.size());
 }
 
-Trial_result run_steps(const Split& split,
-                       std::size_t neighbors,
-                       bool tests_mirrored,
-                       bool tests_orientation,
-                       bool tests_normals)
+// What the steps do; `features`: 0 for FPFH alone, 1 to 4 for the thesis's vectors (10.1.3), 5 for chirality appended.
+struct Steps
 {
+  bool tests_mirrored = false, tests_orientation = false, tests_normals = false;
+  int features = 0;
+};
+
+// The heads are some 34 cm high; signals as printed have the unit of length.
+constexpr double millimeters = 342.;
+
+Descriptors with_signals(const Descriptors& plain, const Signals& signals, int features)
+{
+  std::vector<const std::vector<float>*> appended;
+  if(features == 1 || features == 3)
+    appended.push_back(&signals.flux);
+  if(features >= 2 && features <= 4)
+    appended.push_back(&signals.mean_volume);
+  if(features == 3 || features == 4)
+    appended.push_back(&signals.Gaussian_volume);
+  if(features == 5)
+    appended.push_back(&signals.chirality);
+  constexpr float weight_of_chirality = 40.f;
+  Descriptors result = plain;
+  for(Descriptor_matrix* matrix : {&result.values, &result.mirrored})
+  {
+    const float sign = matrix == &result.values ? 1.f : -1.f;
+    const Eigen::Index rows = matrix->values.rows(), columns = matrix->values.cols();
+    matrix->values.conservativeResize(rows, columns + Eigen::Index(appended.size()));
+    for(Eigen::Index i = 0; i < rows; ++i)
+    {
+      if(features <= 4)
+        matrix->values.row(i).head(columns) *= sign * signals.flux[std::size_t(i)];
+      for(std::size_t k = 0; k < appended.size(); ++k)
+        matrix->values(i, columns + Eigen::Index(k)) =
+            (features == 5 ? weight_of_chirality : 1.f) * sign * (*appended[k])[std::size_t(i)];
+    }
+  }
+  return result;
+}
+
+Trial_result run_steps(const Split& split, std::size_t neighbors, const Steps& steps)
+{
+  const auto [tests_mirrored, tests_orientation, tests_normals, features] = steps;
   Trial_result result;
   const double start = now();
   const double radius = radius_of(split, neighbors);
   const Point_set_samples source_samples = samples_of(split.source, radius),
                           target_samples = samples_of(split.target, radius);
-  const Descriptors of_source = fpfh(source_samples), of_target = fpfh(target_samples);
+  Descriptors of_source = fpfh(source_samples), of_target = fpfh(target_samples);
+  if(features != 0)
+  {
+    const double large = features == 5 ? radius_of(split, 400) : radius;
+    of_source = with_signals(of_source, signals_of(split.source, radius, large, millimeters), features);
+    of_target = with_signals(of_target, signals_of(split.target, radius, large, millimeters), features);
+  }
   const double described = now();
 
   const std::vector<Correspondence> matches =
@@ -151,6 +196,7 @@ Trial_result run_steps(const Split& split,
   const SC::Registration_quality quality = SC::assess_registration(source, target, motion);
   result.agreement = quality.agreement;
   result.near = quality.overlap;
+  result.expected = quality.expected_agreement;
   result.correlation = quality.curvature_correlation;
   result.describe = described - start;
   result.match = matched - described;
@@ -186,6 +232,7 @@ Trial_result run_pipeline(const Split& split, std::size_t neighbors)
   result.error = registration_error(split, motion);
   result.agreement = found.quality.agreement;
   result.near = found.quality.overlap;
+  result.expected = found.quality.expected_agreement;
   result.correlation = found.quality.curvature_correlation;
   result.verdict = found.verdict == SC::Registration_verdict::SUCCESS     ? "success"
                    : found.verdict == SC::Registration_verdict::AMBIGUOUS ? "ambiguous"
@@ -199,9 +246,14 @@ const std::vector<Variant>& variants()
 {
   static const std::vector<Variant> all = {
       {"base", "FPFH and fast global registration"},
-      {"orient", "the same, triples of matches must not be mirrored"},
+      {"thesis1", "the thesis's first feature vector: FPFH times flux, and the flux; in millimeters"},
+      {"thesis2", "the second: FPFH times flux, and the signed volume of mean curvature"},
+      {"thesis3", "the third: FPFH times flux, the flux and both volumes"},
+      {"thesis4", "the fourth: FPFH times flux, and both volumes"},
+      {"orient", "FPFH, triples of matches must not be mirrored"},
       {"orient_ppf", "the same, and their normals must agree"},
       {"mirror_orient_ppf", "the same, and matches must not suit the mirrored descriptor better"},
+      {"chi_orient_ppf", "FPFH and chirality, triples tested as for `orient_ppf`"},
       {"pipeline", "register_partial_scans()"},
   };
   return all;
@@ -213,13 +265,17 @@ Trial_result run_variant(const std::string& name, const Split& split, std::size_
   if(name == "pipeline")
     result = run_pipeline(split, neighbors);
   else if(name == "base")
-    result = run_steps(split, neighbors, false, false, false);
+    result = run_steps(split, neighbors, {});
   else if(name == "orient")
-    result = run_steps(split, neighbors, false, true, false);
+    result = run_steps(split, neighbors, {false, true, false, 0});
   else if(name == "orient_ppf")
-    result = run_steps(split, neighbors, false, true, true);
+    result = run_steps(split, neighbors, {false, true, true, 0});
   else if(name == "mirror_orient_ppf")
-    result = run_steps(split, neighbors, true, true, true);
+    result = run_steps(split, neighbors, {true, true, true, 0});
+  else if(name == "chi_orient_ppf")
+    result = run_steps(split, neighbors, {false, true, true, 5});
+  else if(name.size() == 7 && name.rfind("thesis", 0) == 0 && name[6] >= '1' && name[6] <= '4')
+    result = run_steps(split, neighbors, {false, false, false, name[6] - '0'});
   else
     throw std::invalid_argument("no variant " + name);
   result.overlap = split.overlap;

@@ -13,11 +13,15 @@ namespace Shape_characteristics {
 */
 struct Registration_quality
 {
-  /// the share of the points of either scan that have the other one near, that is within 3 spacings, in [0, 1]
+  /// the share of the points of either scan that have the other one near, in [0, 1]: its nearest point is within 3 spacings, and
+  /// within one spacing along the surface
   double overlap = 0.;
   /// the share of those near points that meet the other scan, in [0, 1]: they are within .35 spacings of its tangent plane,
   /// and the normals are within 32 degrees (cosine .85)
   double agreement = 0.;
+  /// what the agreement of a right registration would be, in [0, 1]: that of the points with their own scan, at the nearest other
+  /// point of it. It is less than 1 where there is noise.
+  double expected_agreement = 0.;
   /// the correlation of the curvatures of the near points with those of the other scan there, in [-1, 1]; 0 if there are few
   double curvature_correlation = 0.;
   /// the share of the near points where the surfaces cross or turn their backs to each other, in [0, 1]: normals are more than

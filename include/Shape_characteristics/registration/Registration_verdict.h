@@ -24,6 +24,7 @@ enum class Registration_obstacle : unsigned char
 {
   NONE,                ///< nothing: the verdict is `SUCCESS`
   FEW_SAMPLES,         ///< a scan has too few points that can be used
+  CANCELLED,           ///< the callback stopped the search
   FEW_CORRESPONDENCES, ///< too few descriptors are alike: the surfaces have nothing in common, or no features at all
   SURFACES_DISAGREE, ///< what was found doesn't bring the surfaces together
   DIFFERENT_UNITS,   ///< one scan is many times as large as the other, with points as many times as far apart

@@ -30,16 +30,19 @@ public:
   Registration_assessor(const Oriented_points& source, const Oriented_points& target, double spacing)
     : m_source(source, spacing),
       m_target(target, spacing),
-      m_spacing(spacing)
+      m_spacing(spacing),
+      m_expected_agreement((std::min)(agreement_within(m_source), agreement_within(m_target)))
   {}
 
-  Registration_quality operator()(const Eigen::Isometry3d& motion) const
+  // `step`: of how many points one is looked at
+  Registration_quality operator()(const Eigen::Isometry3d& motion, std::size_t step = 1) const
   {
     Counts counts;
-    compare(m_source, m_target, motion, counts);
-    compare(m_target, m_source, motion.inverse(), counts);
+    compare(m_source, m_target, motion, step, counts);
+    compare(m_target, m_source, motion.inverse(), step, counts);
     Registration_quality quality;
     quality.number_of_near_points = counts.near;
+    quality.expected_agreement = m_expected_agreement;
     if(counts.usable > 0)
       quality.overlap = double(counts.near) / double(counts.usable);
     if(counts.near > 0)
@@ -64,9 +67,10 @@ public:
 
 private:
   static constexpr double s_near = 3.;         // in spacings
+  static constexpr double s_beside = 1.;       // in spacings, along the surface
   static constexpr double s_meeting = .35;     // in spacings
   static constexpr double s_cosine = .85;      // of normals that agree
-  static constexpr std::size_t s_nearest = 20; // neighbors for a curvature
+  static constexpr std::size_t s_nearest = 16; // neighbors to smooth over
   static constexpr std::size_t s_few = 10;     // pairs that tell nothing of a correlation
 
   struct Surface
@@ -75,28 +79,47 @@ private:
       : surface(usable_points(all)),
         grid(surface.points, mean_point(surface.points), s_near * spacing)
     {
+      smooth();
       for(std::size_t i = 0; i < surface.size(); ++i)
         grid.insert(std::uint32_t(i));
-      find_curvatures();
     }
 
     Surface(const Surface&) = delete; // the grid sees the points
 
-    // How fast normals diverge, with the neighborhoods' sizes as unit: twice the mean curvature where they are round. Its
-    // scale is of no importance.
-    void find_curvatures()
+    // Points and normals without most of their noise, and how fast normals diverge: twice the mean curvature where the surface
+    // is round; its scale is of no importance.
+    void smooth()
     {
-      const std::vector<Eigen::Vector3d>&points = surface.points, &normals = surface.normals;
-      const Point_set_samples samples(points, CGAL::Identity_property_map<Eigen::Vector3d>(),
+      const Oriented_points noisy = surface;
+      const Point_set_samples samples(noisy.points, CGAL::Identity_property_map<Eigen::Vector3d>(),
                                       Neighborhood::nearest(s_nearest));
       Point_set_samples::Workspace workspace;
-      for(std::size_t i = 0; i < points.size(); ++i)
+      std::vector<std::vector<std::uint32_t> > neighbors(surface.size());
+      for(std::size_t i = 0; i < surface.size(); ++i)
       {
-        double sum = 0., squares = 0.;
-        for(const auto j : samples.neighbors(i, 0, workspace))
+        neighbors[i] = samples.neighbors(i, 0, workspace);
+        Eigen::Vector3d mean = noisy.points[i], normal = noisy.normals[i];
+        for(const auto j : neighbors[i])
         {
-          const Eigen::Vector3d d = points[j] - points[i];
-          sum += (normals[j] - normals[i]).dot(d);
+          mean += noisy.points[j];
+          normal += noisy.normals[j];
+        }
+        mean /= double(neighbors[i].size() + 1);
+        if(!(normal.norm() > 0.))
+          continue;
+        normal.normalize();
+        // along the normal alone: points keep their distances along the surface
+        surface.points[i] += normal.dot(mean - noisy.points[i]) * normal;
+        surface.normals[i] = normal;
+      }
+      for(std::size_t i = 0; i < surface.size(); ++i)
+      {
+        nearest.push_back(neighbors[i].empty() ? std::uint32_t(i) : neighbors[i].front());
+        double sum = 0., squares = 0.;
+        for(const auto j : neighbors[i])
+        {
+          const Eigen::Vector3d d = surface.points[j] - surface.points[i];
+          sum += (surface.normals[j] - surface.normals[i]).dot(d);
           squares += d.squaredNorm();
         }
         curvatures.push_back(squares > 0. ? sum / squares : 0.);
@@ -106,6 +129,7 @@ private:
     Oriented_points surface;
     Point_grid grid;
     std::vector<double> curvatures;
+    std::vector<std::uint32_t> nearest; // other point
   };
 
   struct Counts
@@ -148,19 +172,45 @@ private:
     }
   };
 
-  void compare(const Surface& from, const Surface& to, const Eigen::Isometry3d& motion, Counts& counts) const
+  bool meets(double cosine, double height) const
   {
-    counts.usable += from.surface.size();
-    for(std::size_t i = 0; i < from.surface.size(); ++i)
+    return cosine > s_cosine && std::abs(height) < s_meeting * m_spacing;
+  }
+
+  // share of the points that meet their own surface, at the nearest other point: as noise allows
+  double agreement_within(const Surface& surface) const
+  {
+    const Oriented_points& s = surface.surface;
+    std::size_t meeting = 0;
+    for(std::size_t i = 0; i < s.size(); ++i)
     {
+      const std::size_t j = surface.nearest[i];
+      meeting += j != i && meets(s.normals[j].dot(s.normals[i]), s.normals[j].dot(s.points[i] - s.points[j]));
+    }
+    return s.size() > 0 ? double(meeting) / double(s.size()) : 0.;
+  }
+
+  void compare(const Surface& from,
+               const Surface& to,
+               const Eigen::Isometry3d& motion,
+               std::size_t step,
+               Counts& counts) const
+  {
+    for(std::size_t i = 0; i < from.surface.size(); i += step)
+    {
+      ++counts.usable;
       const Eigen::Vector3d q = motion * from.surface.points[i];
       const std::uint32_t j = to.grid.nearest(q);
       if(j == Point_grid::none)
         continue;
+      const Eigen::Vector3d d = q - to.surface.points[j];
+      const double height = to.surface.normals[j].dot(d);
+      // beyond the border, there is nothing to meet
+      if(d.squaredNorm() - height * height > s_beside * s_beside * m_spacing * m_spacing)
+        continue;
       ++counts.near;
       const double cosine = to.surface.normals[j].dot(motion.linear() * from.surface.normals[i]);
-      const double height = to.surface.normals[j].dot(q - to.surface.points[j]);
-      if(cosine > s_cosine && std::abs(height) < s_meeting * m_spacing)
+      if(meets(cosine, height))
         ++counts.meeting;
       if(cosine < 0.)
         ++counts.opposed;
@@ -169,7 +219,7 @@ private:
   }
 
   Surface m_source, m_target;
-  double m_spacing;
+  double m_spacing, m_expected_agreement;
 };
 
 } // namespace internal

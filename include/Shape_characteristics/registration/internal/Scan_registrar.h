@@ -81,21 +81,36 @@ public:
 
     double scale = 1.;
     outcome = Scan_registrar(centered_source, centered_target, options).run();
-    if(outcome.verdict == Registration_verdict::FAILED)
+    if(outcome.verdict == Registration_verdict::FAILED &&
+       outcome.obstacle != Registration_obstacle::CANCELLED)
     {
       // The same object in other units has another size and, by the same factor, other distances of points.
       const double ratio = radius(centered_source) / radius(centered_target);
-      if(std::isfinite(ratio) && ratio > 0. && (ratio > s_other_unit || ratio < 1. / s_other_unit))
+      const bool has_other_size =
+          std::isfinite(ratio) && ratio > 0. && (ratio > s_other_unit || ratio < 1. / s_other_unit);
+      if(has_other_size)
       {
-        const Oriented_points scaled = moved(s, source_center, 1. / ratio);
-        const Registration_outcome other = Scan_registrar(scaled, centered_target, options).run();
+        const Registration_outcome other =
+            Scan_registrar(moved(s, source_center, 1. / ratio), centered_target, options).run();
         if(other.verdict != Registration_verdict::FAILED)
         {
-          outcome = other;
-          outcome.verdict = Registration_verdict::FAILED;
-          outcome.obstacle = Registration_obstacle::DIFFERENT_UNITS;
+          outcome = failure(other, Registration_obstacle::DIFFERENT_UNITS);
           outcome.scale_ratio = ratio;
           scale = 1. / ratio;
+        }
+      }
+      if(outcome.obstacle != Registration_obstacle::DIFFERENT_UNITS)
+      {
+        Registration_outcome other =
+            Scan_registrar(mirrored(centered_source), centered_target, options).run();
+        if(other.verdict != Registration_verdict::FAILED)
+        {
+          for(Registration_hypothesis& h : other.hypotheses)
+          {
+            h.motion.linear().col(0) *= -1.;
+            h.is_reflection = true;
+          }
+          outcome = failure(other, Registration_obstacle::REFLECTION);
         }
       }
     }
@@ -108,15 +123,19 @@ public:
   }
 
 private:
-  static constexpr std::size_t s_few = 10;    // points or matches that say nothing
-  static constexpr double s_other_unit = 2.5; // ratio of sizes: inches are 2.54 centimeters
-  static constexpr double s_agreement = .25;  // share of near points that meet, of right registrations
-  static constexpr double s_good_agreement = .45;
+  static constexpr std::size_t s_few = 10;         // points or matches that say nothing
+  static constexpr double s_other_unit = 2.5;      // ratio of sizes: inches are 2.54 centimeters
+  static constexpr double s_agreement = .25;       // least share of near points that meet
+  static constexpr double s_missing = .15;         // share of near points that needn't meet without noise
+  static constexpr double s_missing_by_noise = 4.; // by the share that doesn't meet its own scan
   static constexpr double s_different = .1; // mean distance between two motions, in radii of the source
   static constexpr double s_as_good = .85;  // agreement of another motion, relative to the best
   static constexpr double s_slack = .05;    // eigenvalues below which a motion is tried out
 
+  static constexpr double s_whole = .6;        // overlap of objects that may be their own after a rotation
+  static constexpr double s_few_matches = .25; // share of matches that such an object's motion explains
   static constexpr std::size_t s_enough_to_refine = 2000; // points
+  static constexpr std::size_t s_enough_to_try = 300;     // points, of each start of many
 
   using Twist = Eigen::Matrix<double, 6, 1>;
 
@@ -144,6 +163,23 @@ private:
     for(Eigen::Vector3d& p : result.points)
       p = scale * (p - center);
     return result;
+  }
+
+  static Oriented_points mirrored(const Oriented_points& scan)
+  {
+    Oriented_points result = scan;
+    for(std::vector<Eigen::Vector3d>* vectors : {&result.points, &result.normals})
+      for(Eigen::Vector3d& v : *vectors)
+        v.x() = -v.x();
+    return result;
+  }
+
+  static Registration_outcome failure(Registration_outcome outcome, Registration_obstacle obstacle)
+  {
+    outcome.verdict = Registration_verdict::FAILED;
+    outcome.obstacle = obstacle;
+    outcome.confidence = 0.;
+    return outcome;
   }
 
   static double radius(const Oriented_points& scan)
@@ -184,16 +220,19 @@ private:
     std::vector<Registration_hypothesis> found;
     // other sizes of neighborhoods, and matches that the mirrored descriptors would forbid, where the first don't do
     const std::size_t n = m_options.number_of_neighbors;
-    const std::pair<std::size_t, bool> attempts[] = {
-        {n, true}, {5 * n / 2, true}, {n, false}, {n / 3, false}};
+    std::vector<std::pair<std::size_t, bool> > attempts = {{n, true}};
+    for(const std::size_t other : {60, 150, 30})
+      if(other != n)
+        attempts.emplace_back(other, true);
+    attempts.emplace_back((std::max)(n, std::size_t(60)), false);
     double done = 0.;
     for(const auto& [neighbors, uses_mirrored] : attempts)
     {
-      try_features((std::max)(neighbors, std::size_t(8)), uses_mirrored, found, outcome.obstacle);
-      done += .2;
+      try_features(neighbors, uses_mirrored, found, outcome.obstacle);
+      done += 1. / double(attempts.size());
       if(m_options.callback && !m_options.callback(done))
-        return outcome;
-      if(!found.empty() && found[0].quality.agreement >= s_good_agreement)
+        return failure(outcome, Registration_obstacle::CANCELLED);
+      if(!found.empty() && passes(found[0].quality))
         break;
     }
     if(found.empty() || !passes(found[0].quality))
@@ -209,6 +248,8 @@ private:
       return outcome;
     }
     try_sliding(best, found);
+    if(!m_slides && best.quality.overlap > s_whole && m_share_of_matches < s_few_matches)
+      try_rotations(best, found);
     outcome.hypotheses = {best};
     for(const Registration_hypothesis& h : found)
       if(is_as_good(h.quality, best.quality) &&
@@ -231,9 +272,12 @@ private:
     return outcome;
   }
 
+  // Most of the near points must meet. How many don't for all that grows with the noise, and faster than for points of one and
+  // the same scan.
   static bool passes(const Registration_quality& q)
   {
-    return q.number_of_near_points >= s_few && q.agreement >= s_agreement;
+    const double missing = s_missing + s_missing_by_noise * (1. - q.expected_agreement);
+    return q.number_of_near_points >= s_few && q.agreement >= (std::max)(s_agreement, 1. - missing);
   }
 
   static bool is_as_good(const Registration_quality& q, const Registration_quality& best)
@@ -249,7 +293,7 @@ private:
 
   static double confidence(const Registration_quality& q)
   {
-    return (std::min)(1., q.agreement / (2. * s_agreement));
+    return (std::min)(1., q.agreement / (std::max)(q.expected_agreement, s_agreement));
   }
 
   bool is_different(const Eigen::Affine3d& a, const Eigen::Affine3d& b) const
@@ -311,17 +355,18 @@ private:
         return;
       const std::vector<Correspondence> tuples =
           tuple_test(m_source, m_target, matches, parameters::random_seed(m_options.seed));
-      if(tuples.size() < 3 * s_few)
+      if(tuples.size() < s_few)
         return;
       const Rigid_alignment coarse = fast_global_registration(m_source, m_target, tuples);
       if(!is_estimated(coarse.status))
         return;
       obstacle = Registration_obstacle::SURFACES_DISAGREE;
       refine(coarse.transformation, found);
-      if(found.empty() || found[0].quality.agreement < s_agreement)
+      if(found.empty() || !passes(found[0].quality))
         return;
       const Eigen::Affine3d& motion = found[0].motion;
       const double far = 6. * m_spacing;
+      const std::size_t before = matches.size();
       matches.erase(
           std::remove_if(matches.begin(), matches.end(),
                          [&](const Correspondence& c) {
@@ -329,6 +374,8 @@ private:
                                   far;
                          }),
           matches.end());
+      if(round == 0)
+        m_share_of_matches = 1. - double(matches.size()) / double(before);
     }
   }
 
@@ -338,26 +385,67 @@ private:
     keep(is_estimated(fine.status) ? fine.transformation : start, found);
   }
 
+  // the 24 rotations of a cube
+  static std::vector<Eigen::Matrix3d> rotations()
+  {
+    static constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    std::vector<Eigen::Matrix3d> result;
+    for(int k = 0; k < 48; ++k)
+    {
+      Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
+      for(int r = 0; r < 3; ++r)
+        m(r, orders[k / 8][r]) = (k >> r & 1) != 0 ? -1. : 1.;
+      if(m.determinant() > 0.)
+        result.push_back(m);
+    }
+    return result;
+  }
+
   // Without features, whole objects lie on each other in one of the 24 positions of their principal axes.
   void try_frames(std::vector<Registration_hypothesis>& found) const
   {
     const Eigen::Matrix3d of_source = axes(m_source), of_target = axes(m_target);
-    std::vector<Registration_hypothesis> candidates;
-    for(int k = 0; k < 48; ++k)
+    std::vector<Eigen::Isometry3d> starts;
+    for(const Eigen::Matrix3d& r : rotations())
+      starts.push_back(Eigen::Isometry3d(of_target * r * of_source.transpose()));
+    try_roughly(starts, found);
+  }
+
+  // The source turned about its centroid, from where it fits.
+  void try_rotations(const Registration_hypothesis& best, std::vector<Registration_hypothesis>& found) const
+  {
+    const Eigen::Matrix3d frame = axes(m_source);
+    std::vector<Eigen::Isometry3d> starts;
+    for(const Eigen::Matrix3d& r : rotations())
+      if(!r.isIdentity())
+        starts.push_back(Eigen::Isometry3d(best.motion.matrix()) *
+                         Eigen::Isometry3d(frame * r * frame.transpose()));
+    try_roughly(starts, found);
+  }
+
+  // Many starts, with few points; the best three of them with all.
+  void try_roughly(const std::vector<Eigen::Isometry3d>& starts,
+                   std::vector<Registration_hypothesis>& found) const
+  {
+    Oriented_points few;
+    const std::size_t step = m_source.size() / s_enough_to_try + 1;
+    for(std::size_t i = 0; i < m_source.size(); i += step)
     {
-      static constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
-      Eigen::Matrix3d permutation = Eigen::Matrix3d::Zero();
-      for(int r = 0; r < 3; ++r)
-        permutation(r, orders[k / 8][r]) = (k >> r & 1) != 0 ? -1. : 1.;
-      if(permutation.determinant() < 0.)
-        continue;
-      Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-      motion.linear() = of_target * permutation * of_source.transpose();
-      keep(motion, candidates);
+      few.points.push_back(m_source.points[i]);
+      few.normals.push_back(m_source.normals[i]);
     }
-    const std::size_t kept = (std::min)(candidates.size(), std::size_t(3));
-    for(std::size_t k = 0; k < kept; ++k)
-      refine(Eigen::Isometry3d(candidates[k].motion.matrix()), found);
+    std::vector<std::pair<double, Eigen::Isometry3d> > tried;
+    for(const Eigen::Isometry3d& start : starts)
+    {
+      const Rigid_alignment fine = iterative_closest_point<ConcurrencyTag>(
+          few, m_target, start, parameters::number_of_iterations(20).maximum_correspondence_distance(.3));
+      if(is_estimated(fine.status))
+        tried.emplace_back(-score(m_assessor(fine.transformation, step)), fine.transformation);
+    }
+    std::stable_sort(tried.begin(), tried.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    for(std::size_t k = 0; k < (std::min)(tried.size(), std::size_t(3)); ++k)
+      refine(tried[k].second, found);
   }
 
   static Eigen::Matrix3d axes(const Oriented_points& scan)
@@ -435,6 +523,7 @@ private:
   Oriented_points m_source, m_target, m_sparse_source;
   double m_spacing, m_radius;
   Registration_assessor m_assessor;
+  double m_share_of_matches = 0.; // those that the best motion explains
   bool m_slides = false;
 };
 

@@ -1,0 +1,421 @@
+#define BOOST_TEST_MODULE register_partial_scans
+#include <boost/test/unit_test.hpp>
+
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/registration/Oriented_points.h>
+#include <Shape_characteristics/registration/assess_registration.h>
+#include <Shape_characteristics/registration/register_partial_scans.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
+#include <CGAL/tags.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace SC = Shape_characteristics;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Point = Kernel::Point_3;
+using Vector = Kernel::Vector_3;
+using Scan = std::vector<std::pair<Point, Vector>>;
+using Result = SC::Registration_result<Kernel>;
+using Eigen::Vector3d;
+using SC::Registration_obstacle;
+using SC::Registration_verdict;
+
+namespace {
+
+auto maps()
+{
+  using Pair = Scan::value_type;
+  return SC::parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
+      .normal_map(CGAL::Second_of_pair_property_map<Pair>());
+}
+
+template <typename ConcurrencyTag = CGAL::Sequential_tag>
+Result registered(const Scan& source, const Scan& target)
+{
+  return SC::register_partial_scans<ConcurrencyTag>(source, target, maps(), maps());
+}
+
+double random_number(std::mt19937& generator) // the library's distributions differ
+{
+  return double(generator()) / 4294967296.;
+}
+
+// A unit ball with bumps and dents that no motion and no reflection brings to itself.
+struct Lumpy_ball
+{
+  static double distance(const Vector3d& d)
+  {
+    static const double bumps[][5] = {{1, 0, 0, .3, .35},    {0, 1, .3, -.2, .3},    {-.6, .5, .6, .25, .25},
+                                      {.2, -.9, .4, .3, .4}, {-.8, -.4, .1, .2, .3}, {.1, .2, -1, -.25, .35},
+                                      {.6, .5, .6, .2, .2},  {-.3, .7, -.6, .2, .3}, {.5, -.5, -.7, .25, .3}};
+    double r = 1.;
+    for(const auto& b : bumps)
+    {
+      const Vector3d c = Vector3d(b[0], b[1], b[2]).normalized();
+      r += b[3] * std::exp(-(d - c).squaredNorm() / (b[4] * b[4]));
+    }
+    return r;
+  }
+  static Vector3d point(const Vector3d& d) { return distance(d) * d; }
+};
+
+struct Round_ball
+{
+  static Vector3d point(const Vector3d& d) { return d; }
+};
+
+// Points spread evenly over what `Shape` makes of a sphere, from another place for each seed, where `is_in` says so.
+template <typename Shape>
+Scan scan_of(std::size_t number, unsigned seed, const std::function<bool(const Vector3d&)>& is_in)
+{
+  std::mt19937 generator(seed);
+  const double phase = random_number(generator), turn = (3. - std::sqrt(5.)) * std::acos(-1.);
+  Scan scan;
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const double z = 1. - 2. * (double(i) + .5) / double(number), angle = turn * (double(i) + 100. * phase);
+    // jittered, as no two scans have the same pattern
+    Vector3d d(std::sqrt(1. - z * z) * std::cos(angle), std::sqrt(1. - z * z) * std::sin(angle), z);
+    const double s = .6 / std::sqrt(double(number));
+    d += Vector3d(random_number(generator) - .5, random_number(generator) - .5,
+                  random_number(generator) - .5) *
+         s;
+    d.normalize();
+    const Vector3d u = d.unitOrthogonal(), v = d.cross(u);
+    constexpr double h = 1e-5;
+    const Vector3d p = Shape::point(d), pu = Shape::point((d + h * u).normalized()) - p,
+                   pv = Shape::point((d + h * v).normalized()) - p, n = pu.cross(pv).normalized();
+    if(is_in(p))
+      scan.emplace_back(Point(p.x(), p.y(), p.z()), Vector(n.x(), n.y(), n.z()));
+  }
+  return scan;
+}
+
+bool all(const Vector3d&)
+{
+  return true;
+}
+
+Scan left_part(unsigned seed)
+{
+  return scan_of<Lumpy_ball>(2600, seed, [](const Vector3d& p) { return p.x() + .2 * p.y() < .45; });
+}
+
+Scan right_part(unsigned seed)
+{
+  return scan_of<Lumpy_ball>(2600, seed, [](const Vector3d& p) { return p.x() + .2 * p.y() > -.45; });
+}
+
+Vector3d to_eigen(const Point& p)
+{
+  return {p.x(), p.y(), p.z()};
+}
+
+Scan moved(const Scan& scan, const Eigen::Affine3d& motion)
+{
+  const Eigen::Matrix3d linear = motion.linear() / std::cbrt(std::abs(motion.linear().determinant()));
+  Scan result;
+  for(const auto& [p, n] : scan)
+  {
+    const Vector3d q = motion * to_eigen(p), m = linear * Vector3d(n.x(), n.y(), n.z());
+    result.emplace_back(Point(q.x(), q.y(), q.z()), Vector(m.x(), m.y(), m.z()));
+  }
+  return result;
+}
+
+Eigen::Affine3d some_motion()
+{
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();
+  motion.linear() = Eigen::AngleAxisd(2.1, Vector3d(1, -2, .5).normalized()).toRotationMatrix();
+  motion.translation() = Vector3d(3, -1, 2);
+  return motion;
+}
+
+Eigen::Affine3d to_eigen(const CGAL::Aff_transformation_3<Kernel>& transformation)
+{
+  Eigen::Affine3d motion = Eigen::Affine3d::Identity();
+  for(int row = 0; row < 3; ++row)
+    for(int column = 0; column < 4; ++column)
+      motion.matrix()(row, column) = transformation.m(row, column);
+  return motion;
+}
+
+// the largest distance of a point from its place
+double error(const Scan& scan, const CGAL::Aff_transformation_3<Kernel>& found, const Eigen::Affine3d& right)
+{
+  double largest = 0.;
+  for(const auto& [p, n] : scan)
+    largest = (std::max)(largest, (to_eigen(p.transform(found)) - right * to_eigen(p)).norm());
+  return largest;
+}
+
+// of unit size, with points on the faces of a box
+Scan box(const Vector3d& size, std::size_t per_edge, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  Scan scan;
+  for(int axis = 0; axis < 3; ++axis)
+    for(const double side : {-.5, .5})
+      for(std::size_t i = 0; i < per_edge; ++i)
+        for(std::size_t j = 0; j < per_edge; ++j)
+        {
+          Vector3d p, n = Vector3d::Zero();
+          p[axis] = side;
+          p[(axis + 1) % 3] = (double(i) + random_number(generator)) / double(per_edge) - .5;
+          p[(axis + 2) % 3] = (double(j) + random_number(generator)) / double(per_edge) - .5;
+          n[axis] = side < 0. ? -1. : 1.;
+          p = p.cwiseProduct(size);
+          scan.emplace_back(Point(p.x(), p.y(), p.z()), Vector(n.x(), n.y(), n.z()));
+        }
+  return scan;
+}
+
+// of radius 1, open at both ends
+Scan cylinder(std::size_t around, std::size_t along, double height, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  Scan scan;
+  for(std::size_t i = 0; i < around; ++i)
+    for(std::size_t j = 0; j < along; ++j)
+    {
+      const double angle = 2. * std::acos(-1.) * (double(i) + random_number(generator)) / double(around);
+      const double z = height * (double(j) + random_number(generator)) / double(along);
+      scan.emplace_back(Point(std::cos(angle), std::sin(angle), z),
+                        Vector(std::cos(angle), std::sin(angle), 0));
+    }
+  return scan;
+}
+
+Scan plane(std::size_t per_edge, unsigned seed)
+{
+  std::mt19937 generator(seed);
+  Scan scan;
+  for(std::size_t i = 0; i < per_edge; ++i)
+    for(std::size_t j = 0; j < per_edge; ++j)
+      scan.emplace_back(Point((double(i) + random_number(generator)) / double(per_edge),
+                              (double(j) + random_number(generator)) / double(per_edge), 0),
+                        Vector(0, 0, 1));
+  return scan;
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(two_parts)
+{
+  const Scan target = left_part(1), source = moved(right_part(2), some_motion());
+  const Eigen::Affine3d right = some_motion().inverse();
+  const Result result = registered(source, target);
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
+  BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::NONE));
+  BOOST_TEST(result.confidence > .9);
+  BOOST_TEST(result.scale_ratio == 1.);
+  BOOST_TEST(result.alternatives.empty());
+  BOOST_TEST(result.quality.agreement > .6);
+  BOOST_TEST(result.quality.overlap > .3);
+  BOOST_TEST(result.quality.overlap < .8);
+  BOOST_TEST(error(source, result.transformation, right) < .02);
+
+  // by hand
+  SC::Oriented_points s, t;
+  for(const auto& [scan, points] : {std::make_pair(&source, &s), std::make_pair(&target, &t)})
+    for(const auto& [p, n] : *scan)
+    {
+      points->points.push_back(to_eigen(p));
+      points->normals.push_back({n.x(), n.y(), n.z()});
+    }
+  const SC::Registration_quality quality =
+      SC::assess_registration(s, t, Eigen::Isometry3d(to_eigen(result.transformation).matrix()));
+  BOOST_TEST(quality.agreement == result.quality.agreement, boost::test_tools::tolerance(.02));
+  BOOST_TEST(quality.curvature_correlation > .5);
+  BOOST_TEST(quality.opposition < .01);
+  const SC::Registration_quality wrong = SC::assess_registration(s, t, Eigen::Isometry3d::Identity());
+  BOOST_TEST(wrong.agreement < .2);
+}
+
+BOOST_AUTO_TEST_CASE(units_and_places)
+{
+  const Scan target = left_part(1), source = right_part(2);
+  const Eigen::Affine3d moved_by = some_motion();
+  const Result reference = registered(moved(source, moved_by), target);
+  for(const double scale : {1e-6, 1e6})
+  {
+    const Eigen::Affine3d scaling(Eigen::Scaling(scale));
+    const Scan s = moved(source, scaling * moved_by), t = moved(target, scaling);
+    const Result result = registered(s, t);
+    BOOST_TEST(int(result.verdict) == int(reference.verdict));
+    BOOST_TEST(error(s, result.transformation,
+                     scaling * to_eigen(reference.transformation) * scaling.inverse()) < 1e-6 * scale);
+  }
+  // far away, as coordinates of maps are
+  Eigen::Affine3d away = Eigen::Affine3d::Identity();
+  away.translation() = Vector3d(5e5, 5e6, 300.);
+  const Scan s = moved(source, moved_by), t = moved(target, away);
+  const Result result = registered(s, t);
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
+  BOOST_TEST(error(s, result.transformation, away * to_eigen(reference.transformation)) < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(any_number_of_threads)
+{
+  const Scan target = left_part(1), source = moved(right_part(2), some_motion());
+  const Result one = registered<CGAL::Sequential_tag>(source, target),
+               all_of_them = registered<CGAL::Parallel_if_available_tag>(source, target);
+  for(int row = 0; row < 3; ++row)
+    for(int column = 0; column < 4; ++column)
+      BOOST_TEST(one.transformation.m(row, column) == all_of_them.transformation.m(row, column));
+}
+
+BOOST_AUTO_TEST_CASE(the_same_scan_twice)
+{
+  const Scan scan = left_part(1);
+  const Result result = registered(scan, scan);
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
+  BOOST_TEST(error(scan, result.transformation, Eigen::Affine3d::Identity()) < 1e-12);
+  BOOST_TEST(result.quality.agreement == 1.);
+  BOOST_TEST(result.quality.overlap == 1.);
+  BOOST_TEST(result.confidence == 1.);
+}
+
+BOOST_AUTO_TEST_CASE(more_points_than_are_used)
+{
+  const Scan target = left_part(1), source = moved(right_part(2), some_motion());
+  const Result result = SC::register_partial_scans<CGAL::Sequential_tag>(
+      source, target, maps().maximum_number_of_samples(900).number_of_neighbors(40), maps());
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
+  BOOST_TEST(error(source, result.transformation, some_motion().inverse()) < .05);
+
+  // one three times as dense as the other
+  const Scan dense = scan_of<Lumpy_ball>(7800, 3, [](const Vector3d& p) { return p.x() < .45; });
+  const Result other = registered(source, dense);
+  BOOST_TEST(int(other.verdict) == int(Registration_verdict::SUCCESS));
+  BOOST_TEST(error(source, other.transformation, some_motion().inverse()) < .03);
+}
+
+BOOST_AUTO_TEST_CASE(no_overlap)
+{
+  const Scan target = scan_of<Lumpy_ball>(2600, 1, [](const Vector3d& p) { return p.x() < -.1; });
+  const Scan source = scan_of<Lumpy_ball>(2600, 2, [](const Vector3d& p) { return p.x() > .1; });
+  const Result result = registered(source, target);
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST(int(result.obstacle) != int(Registration_obstacle::NONE));
+  BOOST_TEST(result.confidence == 0.);
+}
+
+BOOST_AUTO_TEST_CASE(few_points)
+{
+  const Scan scan = left_part(1);
+  for(const std::size_t n : {0, 1, 2, 9})
+  {
+    const Scan few(scan.begin(), scan.begin() + std::ptrdiff_t(n));
+    for(const Result& result : {registered(few, scan), registered(scan, few), registered(few, few)})
+    {
+      BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+      BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::FEW_SAMPLES));
+    }
+  }
+  const Scan copies(100, scan.front());
+  BOOST_TEST(int(registered(copies, copies).verdict) == int(Registration_verdict::FAILED));
+  Scan line;
+  for(int i = 0; i < 200; ++i)
+    line.emplace_back(Point(i, 0, 0), Vector(0, 0, 1));
+  BOOST_TEST(int(registered(line, line).verdict) != int(Registration_verdict::SUCCESS));
+}
+
+BOOST_AUTO_TEST_CASE(points_that_are_none)
+{
+  const Scan target = left_part(1);
+  Scan source = moved(right_part(2), some_motion());
+  const Result reference = registered(source, target);
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   inf = std::numeric_limits<double>::infinity();
+  source.emplace_back(Point(nan, 0, 0), Vector(0, 0, 1));
+  source.emplace_back(Point(0, inf, 0), Vector(0, 0, 1));
+  source.emplace_back(Point(0, 0, 0), Vector(0, 0, 0));
+  source.emplace_back(Point(0, 0, 0), Vector(nan, 0, 0));
+  const Result result = registered(source, target);
+  for(int row = 0; row < 3; ++row)
+    for(int column = 0; column < 4; ++column)
+      BOOST_TEST(result.transformation.m(row, column) == reference.transformation.m(row, column));
+}
+
+BOOST_AUTO_TEST_CASE(objects_without_features)
+{
+  const Eigen::Affine3d motion = some_motion();
+  const auto is_ambiguous = [&](const Scan& source, const Scan& target, Registration_obstacle obstacle)
+  {
+    const Result result = registered(moved(source, motion), target);
+    BOOST_TEST(int(result.verdict) == int(Registration_verdict::AMBIGUOUS));
+    BOOST_TEST(int(result.obstacle) == int(obstacle));
+    BOOST_TEST(!result.alternatives.empty());
+    for(const Result::Candidate& c : result.alternatives)
+    {
+      BOOST_TEST(c.quality.agreement > .25);
+      BOOST_TEST(error(moved(source, motion), c.transformation, to_eigen(result.transformation)) > .1);
+    }
+  };
+  BOOST_TEST_CONTEXT("ball")
+  is_ambiguous(scan_of<Round_ball>(1500, 1, all), scan_of<Round_ball>(1500, 2, all),
+               Registration_obstacle::SLIDING);
+  BOOST_TEST_CONTEXT("plane")
+  is_ambiguous(plane(35, 1), plane(35, 2), Registration_obstacle::SLIDING);
+  BOOST_TEST_CONTEXT("cylinder")
+  is_ambiguous(cylinder(70, 25, 2.2, 1), cylinder(70, 25, 2.2, 2), Registration_obstacle::SLIDING);
+  BOOST_TEST_CONTEXT("cube")
+  is_ambiguous(box({1, 1, 1}, 18, 1), box({1, 1, 1}, 18, 2), Registration_obstacle::SEVERAL_MOTIONS);
+}
+
+BOOST_AUTO_TEST_CASE(mirrored_object)
+{
+  const Scan target = left_part(1);
+  const Eigen::Affine3d mirror = some_motion() * Eigen::Scaling(1., 1., -1.);
+  const Scan source = moved(right_part(2), mirror);
+  const Result result = registered(source, target);
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::REFLECTION));
+  BOOST_TEST(result.alternatives.size() == 1u);
+  BOOST_TEST(result.alternatives.at(0).is_reflection);
+  BOOST_TEST(error(source, result.alternatives.at(0).transformation, mirror.inverse()) < .02);
+}
+
+BOOST_AUTO_TEST_CASE(other_units)
+{
+  const Scan target = scan_of<Lumpy_ball>(2600, 1, all);
+  const Eigen::Affine3d motion = some_motion() * Eigen::Scaling(1000.);
+  const Scan source = moved(scan_of<Lumpy_ball>(2600, 2, all), motion);
+  const Result result = registered(source, target);
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::DIFFERENT_UNITS));
+  BOOST_TEST(result.scale_ratio == 1000., boost::test_tools::tolerance(.02));
+  BOOST_TEST(error(source, result.transformation, motion.inverse()) < .05);
+}
+
+BOOST_AUTO_TEST_CASE(wrong_parameters)
+{
+  const Scan scan = left_part(1);
+  BOOST_CHECK_THROW(SC::register_partial_scans(scan, scan, maps().number_of_neighbors(7), maps()),
+                    std::invalid_argument);
+  BOOST_CHECK_THROW(SC::register_partial_scans(scan, scan, maps().maximum_number_of_samples(99), maps()),
+                    std::invalid_argument);
+  std::vector<double> advancement;
+  const std::function<bool(double)> callback = [&](const double done)
+  {
+    advancement.push_back(done);
+    return false;
+  };
+  const Result result = SC::register_partial_scans(scan, scan, maps().callback(callback), maps());
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
+  BOOST_TEST(advancement.size() == 1u);
+}
