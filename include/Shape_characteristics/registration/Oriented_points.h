@@ -28,6 +28,7 @@ struct Oriented_points
   /// returns the points and normals of all samples of a surface; those of samples that aren't usable are quiet NaN.
   ///
   /// \tparam SampledSurface a model of the concept `SampledSurface`
+  /// \param surface the surface, with normals
   template <typename SampledSurface>
   static Oriented_points of(const SampledSurface& surface)
   {
