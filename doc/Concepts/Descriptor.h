@@ -10,9 +10,11 @@
   descriptors of all samples share.
 
   \cgalHasModelsBegin
+  \cgalHasModels{Shape_characteristics::Appended_descriptor}
   \cgalHasModels{Shape_characteristics::Chirality_descriptor}
   \cgalHasModels{Shape_characteristics::Fpfh_descriptor}
   \cgalHasModels{Shape_characteristics::Pfh_descriptor}
+  \cgalHasModels{Shape_characteristics::Scaled_descriptor}
   \cgalHasModels{Shape_characteristics::Shot_descriptor}
   \cgalHasModels{Shape_characteristics::Signed_volume_descriptor}
   \cgalHasModels{Shape_characteristics::Symmetry_flux_descriptor}
