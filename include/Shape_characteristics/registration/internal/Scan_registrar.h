@@ -128,6 +128,8 @@ private:
   static constexpr double s_agreement = .25;       // least share of near points that meet
   static constexpr double s_missing = .15;         // share of near points that needn't meet without noise
   static constexpr double s_missing_by_noise = 4.; // by the share that doesn't meet its own scan
+  static constexpr double s_clear_agreement = .7;  // that needs no other evidence
+  static constexpr double s_correlation = .12;     // of curvatures that are alike
   static constexpr double s_different = .1; // mean distance between two motions, in radii of the source
   static constexpr double s_as_good = .85;  // agreement of another motion, relative to the best
   static constexpr double s_slack = .05;    // eigenvalues below which a motion is tried out
@@ -242,11 +244,7 @@ private:
     outcome.hypotheses = found;
     const Registration_hypothesis best = found[0];
     if(!passes(best.quality))
-    {
-      outcome.obstacle = Registration_obstacle::SURFACES_DISAGREE;
-      outcome.confidence = 0.;
       return outcome;
-    }
     try_sliding(best, found);
     if(!m_slides && best.quality.overlap > s_whole && m_share_of_matches < s_few_matches)
       try_rotations(best, found);
@@ -273,11 +271,12 @@ private:
   }
 
   // Most of the near points must meet. How many don't for all that grows with the noise, and faster than for points of one and
-  // the same scan.
+  // the same scan. Where many don't, curvatures must be alike, too: those of wrong registrations are not.
   static bool passes(const Registration_quality& q)
   {
     const double missing = s_missing + s_missing_by_noise * (1. - q.expected_agreement);
-    return q.number_of_near_points >= s_few && q.agreement >= (std::max)(s_agreement, 1. - missing);
+    return q.number_of_near_points >= s_few && q.agreement >= (std::max)(s_agreement, 1. - missing) &&
+           (q.agreement >= s_clear_agreement || q.curvature_correlation >= s_correlation);
   }
 
   static bool is_as_good(const Registration_quality& q, const Registration_quality& best)
@@ -309,9 +308,11 @@ private:
     Registration_hypothesis h;
     h.motion = motion;
     h.quality = m_assessor(motion);
+    const auto rank = [](const Registration_hypothesis& x)
+    { return std::make_pair(passes(x.quality), score(x.quality)); };
     const auto place = std::upper_bound(found.begin(), found.end(), h,
-                                        [](const Registration_hypothesis& a, const Registration_hypothesis& b)
-                                        { return score(a.quality) > score(b.quality); });
+                                        [&](const Registration_hypothesis& a,
+                                            const Registration_hypothesis& b) { return rank(a) > rank(b); });
     found.insert(place, h);
   }
 
