@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE(callback)
                      }};
   const Result result = run<CGAL::Parallel_if_available_tag>(watched, s, Normals::ESTIMATED);
   BOOST_TEST(result.failures == 0u);
-  BOOST_TEST(advancements.size() == 32u); // 16 patches of vertices, two passes
+  BOOST_TEST(advancements.size() == 16u); // 8 patches of vertices, two passes
   BOOST_TEST(std::is_sorted(advancements.begin(), advancements.end()));
   BOOST_TEST(std::abs(advancements.back() - 1.) < 1e-12);
 

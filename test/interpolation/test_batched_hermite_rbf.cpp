@@ -79,15 +79,12 @@ std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& sample
   options.fits_are_shared = shared;
   const Fit fit(samples, phi, options, lanes);
   typename Fit::Workspace workspace;
-  const std::vector<std::uint32_t> order = samples.traversal_order(patch_size);
-  std::vector<std::uint32_t> position(order.size());
-  for(std::size_t k = 0; k < order.size(); ++k)
-    position[order[k]] = std::uint32_t(k);
-  std::vector<unsigned char> is_served(order.size(), 0);
+  const auto patches = internal::Sample_patches::compact(samples, patch_size);
+  std::vector<unsigned char> is_served(samples.size(), 0);
   std::vector<SC::Local_implicit_surface> result(samples.size());
   std::vector<int> answers(samples.size(), 0);
-  for(std::size_t begin = 0; begin < order.size(); begin += patch_size)
-    fit(order, position, begin, std::min(begin + patch_size, order.size()), is_served, workspace,
+  for(std::size_t p = 0; p < patches.size(); ++p)
+    fit(patches, p, is_served, workspace,
         [&](const std::size_t i, const SC::Local_implicit_surface& local)
         {
           result[i] = local;

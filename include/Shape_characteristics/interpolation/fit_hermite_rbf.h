@@ -7,6 +7,7 @@
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
 
@@ -17,7 +18,6 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -145,12 +145,14 @@ private:
   double m_begin, m_length;
 };
 
-// Fits of the samples `0, ..., size - 1` of `surface`, whose others only lend a hand. `transform` makes results of
-// surfaces; a default constructed result stays where the callback stopped before the sample.
-template <typename ConcurrencyTag, typename Result>
+// Fits of the samples `0, ..., size - 1` of `surface`, whose others only lend a hand. `output` is called with each of them,
+// by several threads at a time, but not with those before which the callback stopped.
+template <typename ConcurrencyTag>
 class Hermite_rbf_fitter
 {
 public:
+  using Output = std::function<void(std::size_t, const Local_implicit_surface&)>;
+
   template <typename NamedParameters>
   explicit Hermite_rbf_fitter(const NamedParameters& np)
   {
@@ -179,24 +181,24 @@ public:
     check_sampling_distance(m_sampling_distance); // whether the pattern is needed or not
   }
 
-  template <typename SampledSurface, typename RadialBasisFunction, typename Transform>
-  std::vector<Result> operator()(SampledSurface& surface,
-                                 const RadialBasisFunction& phi,
-                                 std::size_t size,
-                                 const Transform& transform) const
+  template <typename SampledSurface, typename RadialBasisFunction>
+  void operator()(SampledSurface& surface,
+                  const RadialBasisFunction& phi,
+                  std::size_t size,
+                  const Output& output) const
   {
     if constexpr(RadialBasisFunction::is_positive_definite)
-      return fit_positive_definite(surface, phi, size, transform);
+      fit_positive_definite(surface, phi, size, output);
     else
-      return fit_indefinite(surface, phi, size, transform);
+      fit_indefinite(surface, phi, size, output);
   }
 
 private:
-  template <typename SampledSurface, typename RadialBasisFunction, typename Transform>
-  std::vector<Result> fit_indefinite(const SampledSurface& surface,
-                                     const RadialBasisFunction& phi,
-                                     std::size_t size,
-                                     const Transform& transform) const
+  template <typename SampledSurface, typename RadialBasisFunction>
+  void fit_indefinite(const SampledSurface& surface,
+                      const RadialBasisFunction& phi,
+                      std::size_t size,
+                      const Output& output) const
   {
     using Fit = Local_hermite_rbf<SampledSurface, RadialBasisFunction>;
     typename Fit::Options options;
@@ -208,91 +210,54 @@ private:
       options.pattern_radius = surface.mean_spacing();
     }
     const Fit fit(surface, phi, options);
-    std::vector<Result> results(size);
     Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        size,
-        [&](const std::size_t i, typename Fit::Workspace& workspace)
-        { results[i] = transform(i, fit(i, workspace)); },
+        size, [&](const std::size_t i, typename Fit::Workspace& workspace) { output(i, fit(i, workspace)); },
         callback_of(0, 1));
-    return results;
   }
 
-  template <typename SampledSurface, typename RadialBasisFunction, typename Transform>
-  std::vector<Result> fit_positive_definite(SampledSurface& surface,
-                                            const RadialBasisFunction& phi,
-                                            std::size_t size,
-                                            const Transform& transform) const
+  template <typename SampledSurface, typename RadialBasisFunction>
+  void fit_positive_definite(SampledSurface& surface,
+                             const RadialBasisFunction& phi,
+                             std::size_t size,
+                             const Output& output) const
   {
     using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
     typename Fit::Options options;
     options.normals_are_exact = m_normals_are_exact;
     options.fits_are_shared = m_fits_are_shared && size == surface.size();
-    const Patches patches(surface, size, options.fits_are_shared);
+    const std::size_t patch_size = Sample_patches::patch_size_for(size);
+    const Sample_patches patches = options.fits_are_shared ? Sample_patches::compact(surface, patch_size)
+                                                           : Sample_patches(size, patch_size);
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
       options.noise_level = m_noise_level >= 0. ? m_noise_level : estimate_noise_level(surface, phi);
       passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
     }
-    std::vector<Result> results(size);
     // where a single sample is asked for, its neighbors are smoothed as well
-    std::optional<Patches> of_all;
+    std::optional<Sample_patches> of_all;
     if(passes > 1 && size < surface.size())
-      of_all.emplace(surface, surface.size(), false);
+      of_all.emplace(surface.size(), Sample_patches::patch_size_for(surface.size()));
     for(std::size_t pass = 0; pass + 1 < passes; ++pass)
       if(!denoise(surface, Fit(surface, phi, options), of_all ? *of_all : patches, pass, passes))
-        return results;
-    for_each_patch(
-        Fit(surface, phi, options), surface.size(), patches,
-        [&](const std::size_t i, const Local_implicit_surface& local) { results[i] = transform(i, local); },
-        callback_of(passes - 1, passes));
-    return results;
+        return;
+    for_each_patch(Fit(surface, phi, options), surface.size(), patches, output,
+                   callback_of(passes - 1, passes));
   }
 
-  // Samples in an order of which each range of `patch_size` is a patch: those to be answered for.
-  struct Patches
-  {
-    template <typename SampledSurface>
-    Patches(const SampledSurface& surface, std::size_t size, bool fits_are_shared)
-    {
-      // enough patches for all threads, and large ones: their rims cost. Powers of two, so that some samples more or less
-      // mostly don't move the limits of the patches.
-      for(patch_size = 512; patch_size < 2048 && 32 * patch_size <= size;)
-        patch_size *= 2;
-      if(fits_are_shared)
-        samples = surface.traversal_order(patch_size);
-      else
-      {
-        samples.resize(size);
-        std::iota(samples.begin(), samples.end(), std::uint32_t(0));
-      }
-      position.resize(samples.size());
-      for(std::size_t k = 0; k < samples.size(); ++k)
-        position[samples[k]] = std::uint32_t(k);
-    }
-
-    std::size_t patch_size;
-    std::vector<std::uint32_t> samples, position;
-  };
-
   // whether all patches were visited
-  template <typename Fit, typename Output>
+  template <typename Fit>
   static bool for_each_patch(const Fit& fit,
                              std::size_t size,
-                             const Patches& patches,
+                             const Sample_patches& patches,
                              const Output& output,
                              const std::function<bool(double)>& callback)
   {
     std::vector<unsigned char> is_served(size, 0);
-    const std::size_t number = (patches.samples.size() + patches.patch_size - 1) / patches.patch_size;
     return Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        number,
-        [&](const std::size_t p, typename Fit::Workspace& workspace)
-        {
-          const std::size_t begin = p * patches.patch_size;
-          const std::size_t end = (std::min)(begin + patches.patch_size, patches.samples.size());
-          fit(patches.samples, patches.position, begin, end, is_served, workspace, output);
-        },
+        patches.size(),
+        [&](const std::size_t patch, typename Fit::Workspace& workspace)
+        { fit(patches, patch, is_served, workspace, output); },
         callback, 1);
   }
 
@@ -300,7 +265,7 @@ private:
   template <typename SampledSurface, typename Fit>
   bool denoise(SampledSurface& surface,
                const Fit& fit,
-               const Patches& patches,
+               const Sample_patches& patches,
                std::size_t pass,
                std::size_t passes) const
   {
@@ -372,18 +337,17 @@ std::vector<Result> fit_hermite_rbf(SampledSurface& surface,
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
-  const internal::Hermite_rbf_fitter<ConcurrencyTag, Result> fitter(np);
+  std::vector<Result> results(size);
+  const auto output = [&](const std::size_t i, const Local_implicit_surface& local)
+  { results[i] = transform(i, local); };
+  const internal::Hermite_rbf_fitter<ConcurrencyTag> fitter(np);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::radial_basis_function_t>::value)
-  {
-    const auto phi = get_parameter(np, internal_np::radial_basis_function);
-    return fitter(surface, phi, size, transform);
-  }
+    fitter(surface, get_parameter(np, internal_np::radial_basis_function), size, output);
+  else if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))
+    fitter(surface, Inverse_multiquadric(), size, output);
   else
-  {
-    const bool normals_are_exact = choose_parameter(get_parameter(np, internal_np::normals_are_exact), false);
-    return normals_are_exact ? fitter(surface, Inverse_multiquadric(), size, transform)
-                             : fitter(surface, Matern_9_2(), size, transform);
-  }
+    fitter(surface, Matern_9_2(), size, output);
+  return results;
 }
 
 } // namespace Shape_characteristics

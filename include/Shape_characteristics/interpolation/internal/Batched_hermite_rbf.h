@@ -7,6 +7,7 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
+#include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 
 #include <Eigen/Core>
@@ -16,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -57,7 +59,19 @@ class Batched_hermite_rbf
     Index point; // of the task's
   };
 
+  // the fit whose center is nearest to a sample, of those that may serve it
+  struct Nearest_center
+  {
+    double squared_distance; // in units of the neighborhood's size; negative if the sample has its answer
+    Index task;
+    Index point; // of the task's
+  };
+
 public:
+  // Called for each sample with its fit. Not a type of the caller's: all this is compiled once for a surface and a basis
+  // function.
+  using Output = std::function<void(std::size_t, const Local_implicit_surface&)>;
+
   struct Options
   {
     bool normals_are_exact = false;
@@ -72,6 +86,7 @@ public:
     Scaled_neighborhood m_neighborhood;
     std::vector<Vector> m_points, m_normals; // of all tasks of a patch
     std::vector<Served> m_served;
+    std::vector<Nearest_center> m_nearest; // for the samples of a patch
     std::vector<Task> m_tasks, m_next_tasks;
     std::vector<Index> m_rim;   // centers to be
     std::vector<Index> m_order; // tasks by size
@@ -97,27 +112,27 @@ public:
   }
 
   /*
-    Fits the samples `samples[begin]`, ..., `samples[end - 1]` and calls `output(i, local_surface)` for each. `position` tells
-    where in `samples` a sample is, and `is_served` is scratch memory, a number for each sample of the surface, zero
-    before the call; of both, other patches read and write other parts.
+    Fits the samples of a patch and calls `output(i, local_surface)` for each. `is_served` is scratch memory, a number for
+    each sample of the surface, zero before the call; other patches read and write other parts of it.
   */
-  template <typename Output>
-  void operator()(const std::vector<Index>& samples,
-                  const std::vector<Index>& position,
-                  std::size_t begin,
-                  std::size_t end,
+  void operator()(const Sample_patches& patches,
+                  std::size_t patch,
                   std::vector<unsigned char>& is_served,
                   Workspace& workspace,
                   const Output& output) const
   {
+    const std::size_t begin = patches.begin(patch), end = patches.end(patch);
     workspace.m_points.clear();
     workspace.m_normals.clear();
     workspace.m_served.clear();
     workspace.m_tasks.clear();
-    const auto is_free = [&](const Index j)
+    workspace.m_nearest.assign(end - begin, {std::numeric_limits<double>::infinity(), 0, 0});
+    // the entry of a sample that may be served; null if it belongs to another patch
+    const auto nearest_to = [&](const Index j) -> Nearest_center*
     {
-      return j < position.size() && position[j] >= begin && position[j] < end && !is_served[j] &&
-             m_surface.status(j) == Estimation_status::ESTIMATED;
+      if(!patches.is_between(j, begin, end) || m_surface.status(j) != Estimation_status::ESTIMATED)
+        return nullptr;
+      return &workspace.m_nearest[patches.place(j) - begin];
     };
     // Centers are best as far from each other as what they serve allows: the next one is the first that was found on the
     // rim of a neighborhood.
@@ -125,12 +140,22 @@ public:
     rim.clear();
     std::size_t next = 0;
     for(std::size_t k = begin; k < end; ++k)
-      while(!is_served[samples[k]])
+      while(!is_served[patches.sample(k)])
       {
         while(next < rim.size() && is_served[rim[next]])
           ++next;
-        serve_around(next < rim.size() ? rim[next] : samples[k], is_free, is_served, workspace, output);
+        const Index center = next < rim.size() ? rim[next] : patches.sample(k);
+        is_served[center] = 1;
+        Nearest_center& nearest = workspace.m_nearest[patches.place(center) - begin];
+        nearest = {-1., 0, 0};
+        if(add_task(center, workspace, workspace.m_tasks, output))
+        {
+          nearest = {0., Index(workspace.m_tasks.size() - 1), 0};
+          if(m_options.fits_are_shared)
+            offer_to_neighbors(nearest_to, is_served, workspace);
+        }
       }
+    assign(patches, begin, workspace);
     while(!workspace.m_tasks.empty())
       make_all(workspace, output);
   }
@@ -179,10 +204,10 @@ public:
 private:
   // Samples that are served by the fit of another, as well as by one of their own: near its center (in units of the
   // neighborhood's size), where the surface bends little. The next center is sought farther away.
-  static constexpr double s_served_distance = 0.75, s_rim = 1.25;
+  static constexpr double s_served_distance = 0.85, s_rim = 1.3;
   static constexpr double s_served_cosine = 0.97;      // of the angle between their normals
   static constexpr double s_served_curvature = 2.;     // largest there, in units of the inverse size
-  static constexpr double s_imbalance = 0.35;          // largest distance of the centroid from the center
+  static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
   static RadialBasisFunction unit_shape(const RadialBasisFunction& phi)
@@ -193,18 +218,13 @@ private:
       return phi;
   }
 
-  // Adds a task that serves `center` and the free samples near it.
-  template <typename Is_free, typename Output>
-  void serve_around(Index center,
-                    const Is_free& is_free,
-                    std::vector<unsigned char>& is_served,
-                    Workspace& workspace,
-                    const Output& output) const
+  // The last task, that of the neighborhood in the workspace, may serve the samples near its center.
+  template <typename Nearest_to>
+  void offer_to_neighbors(const Nearest_to& nearest_to,
+                          std::vector<unsigned char>& is_served,
+                          Workspace& workspace) const
   {
-    is_served[center] = 1;
-    if(!add_task(center, workspace, workspace.m_tasks, output) || !m_options.fits_are_shared)
-      return;
-    Task& task = workspace.m_tasks.back();
+    const Task& task = workspace.m_tasks.back();
     if(task.status != Estimation_status::ESTIMATED || task.number_of_points < s_smallest_shared)
       return;
     const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
@@ -214,26 +234,55 @@ private:
       sum += p;
     if(sum.norm() > s_imbalance * double(neighborhood.points.size()))
       return;
+    const auto number = Index(workspace.m_tasks.size() - 1);
     for(std::size_t n = 1; n < neighborhood.samples.size(); ++n)
     {
       const Index j = neighborhood.samples[n];
-      if(!is_free(j))
+      Nearest_center* const nearest = nearest_to(j);
+      if(nearest == nullptr)
         continue;
       const double squared_distance = neighborhood.points[n].squaredNorm();
-      if(squared_distance > s_rim * s_rim)
-        workspace.m_rim.push_back(j);
-      else if(squared_distance < s_served_distance * s_served_distance &&
-              neighborhood.normals[n].dot(neighborhood.normals[0]) > s_served_cosine)
+      if(squared_distance < s_served_distance * s_served_distance &&
+         neighborhood.normals[n].dot(neighborhood.normals[0]) > s_served_cosine)
       {
         is_served[j] = 1;
-        workspace.m_served.push_back({j, Index(n)});
-        ++task.number_of_served;
+        if(squared_distance < nearest->squared_distance)
+          *nearest = {squared_distance, number, Index(n)};
       }
+      else if(squared_distance > s_rim * s_rim && !is_served[j])
+        workspace.m_rim.push_back(j);
     }
   }
 
+  // Each sample that has a fit is served by that of the nearest center.
+  static void assign(const Sample_patches& patches, std::size_t begin, Workspace& workspace)
+  {
+    std::vector<Task>& tasks = workspace.m_tasks;
+    const auto has_task = [](const Nearest_center& nearest)
+    { return nearest.squared_distance >= 0. && std::isfinite(nearest.squared_distance); };
+    for(Task& task : tasks)
+      task.number_of_served = 0;
+    for(const Nearest_center& nearest : workspace.m_nearest)
+      if(has_task(nearest))
+        ++tasks[nearest.task].number_of_served;
+    std::size_t first = 0;
+    for(Task& task : tasks)
+    {
+      task.first_served = first;
+      first += task.number_of_served;
+      task.number_of_served = 1; // the center comes first
+    }
+    workspace.m_served.resize(first);
+    for(std::size_t k = 0; k < workspace.m_nearest.size(); ++k)
+      if(const Nearest_center& nearest = workspace.m_nearest[k]; has_task(nearest))
+      {
+        Task& task = tasks[nearest.task];
+        workspace.m_served[task.first_served + (nearest.point == 0 ? 0 : task.number_of_served++)] = {
+            patches.sample(begin + k), nearest.point};
+      }
+  }
+
   // whether there is a task: else the answer has been given
-  template <typename Output>
   bool add_task(Index i, Workspace& workspace, std::vector<Task>& tasks, const Output& output) const
   {
     Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
@@ -282,7 +331,6 @@ private:
   }
 
   // Makes all tasks, those with as many points together. What failed becomes the tasks of the next round.
-  template <typename Output>
   void make_all(Workspace& workspace, const Output& output) const
   {
     workspace.m_next_tasks.clear();
@@ -362,7 +410,6 @@ private:
               is_exact ? task.exact.derivative_variance() : task.noisy.derivative_variance());
   }
 
-  template <typename Output>
   void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const
   {
     Hermite_batch& batch = workspace.m_batch;
@@ -425,7 +472,6 @@ private:
   }
 
   // gives the answer of a fit for the `s`-th sample it serves, or sees to it that there is another attempt
-  template <typename Output>
   void answer(const Task& task,
               std::size_t s,
               std::size_t lane,
