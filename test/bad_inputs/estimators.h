@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
@@ -299,6 +300,8 @@ std::vector<Estimator<Input>> estimators()
   const auto hrbf = [](auto&&... a) { return SC::hrbf_curvatures(std::forward<decltype(a)>(a)...); };
   const auto jet_fitting = [](auto&&... a)
   { return SC::jet_fitting_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto goldfeather_interrante = [](auto&&... a)
+  { return SC::goldfeather_interrante_curvatures(std::forward<decltype(a)>(a)...); };
   const auto normals = [](auto&&... a) { return SC::hrbf_normals(std::forward<decltype(a)>(a)...); };
   const auto defaults = [](const auto& np, const auto&) { return np; };
 
@@ -353,6 +356,7 @@ std::vector<Estimator<Input>> estimators()
     e.accuracy = 4.; // its matrix is indefinite: some neighborhoods give nonsense
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
+  list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;
   if constexpr(std::is_same_v<Input, Mesh>)
   {
     const auto rusinkiewicz = [](auto&&... a)

@@ -2,6 +2,7 @@
 #include "estimators.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/interpolated_corrected_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
@@ -73,6 +74,12 @@ void tangent_space(Workload& w, unsigned int threads)
 {
   on_threads(threads,
              [&](auto tag) { SC::tangent_space_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void goldfeather_interrante(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag)
+             { SC::goldfeather_interrante_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
 }
 
 #ifdef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
@@ -160,6 +167,7 @@ const std::vector<Estimator>& estimators()
       thesis_path(2),
       {"Rusinkiewicz", "1 ring", false, rusinkiewicz},
       {"tangent space", "1 ring", false, tangent_space},
+      {"Goldfeather-Interrante", "2 rings", false, goldfeather_interrante},
 #ifdef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
       {"interpolated corrected", "1 ring", false, interpolated_corrected},
 #endif

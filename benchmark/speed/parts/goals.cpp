@@ -94,6 +94,8 @@ std::vector<Goal> goals(const Session& session)
        100. * microseconds(session, "Rusinkiewicz, 1 ring") / jet_2, false, 1.5, " %"},
       {"tangent space: part of the time of CGAL's jets",
        100. * microseconds(session, "tangent space, 1 ring") / jet_2, false, 2., " %"},
+      {"Goldfeather-Interrante: part of the time of CGAL's jets",
+       100. * microseconds(session, "Goldfeather-Interrante, 2 rings") / jet_2, false, 5., " %"},
       {"factorization of 58 equations: part of the matrix product's speed", 100. * factorization / product,
        true, 50., " %"},
       {"factorization of 58 equations: part of the arithmetic peak", 100. * factorization / peak, true, 50.,
@@ -104,10 +106,6 @@ std::vector<Goal> goals(const Session& session)
       {"HRBF, exact normals, 2 rings: gain by a second thread (the machine's own meanwhile: " +
            gain_of_the_machine(session) + ")",
        gain_of_two_threads(session, hrbf), true, 1.8, ""}};
-  const double interpolated = microseconds(session, "interpolated corrected, 1 ring");
-  if(std::isfinite(interpolated))
-    list.push_back({"interpolated corrected curvatures (CGAL 6): part of the time of CGAL's jets",
-                    100. * interpolated / jet_2, false, 5., " %"});
   for(const auto& [surface, bound] :
       std::vector<std::pair<std::string, double>>{{"f1e", 2e-5}, {"f2e", 4e-5}, {"f4e", .05}, {"f1i", 4e-4}})
   {

@@ -1,0 +1,286 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_GOLDFEATHER_INTERRANTE_CURVATURES_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_GOLDFEATHER_INTERRANTE_CURVATURES_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
+#include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
+#include <Shape_characteristics/normals/sampled_surface.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+template <typename SampledSurface>
+class Goldfeather_interrante_estimator
+{
+  using Index = typename SampledSurface::Index;
+  using Vector = Eigen::Vector3d;
+  using Coefficients = Eigen::Matrix<double, 7, 1>;
+  using Normal_equations = Eigen::Matrix<double, 7, 7>;
+
+public:
+  using Workspace = typename SampledSurface::Workspace;
+
+  explicit Goldfeather_interrante_estimator(const SampledSurface& surface) : m_surface(surface) {}
+
+  Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
+  {
+    const Estimation_status status = m_surface.status(i);
+    if(!is_estimated(status))
+      return Curvature_estimate(status);
+
+    std::size_t minimum = s_minimum;
+    const std::vector<Index>* neighbors = &m_surface.neighbors(i, minimum, workspace);
+    if(neighbors->size() < minimum)
+      return Curvature_estimate(Estimation_status::FEW_NEIGHBOURS);
+
+    // Points on a line determine no surface, however many they are.
+    for(;;)
+    {
+      const Curvature_estimate estimate = fit(i, *neighbors);
+      minimum = neighbors->size() + 1;
+      if(estimate.status != Estimation_status::DEGENERATE)
+        return estimate;
+      neighbors = &m_surface.neighbors(i, minimum, workspace);
+      if(neighbors->size() < minimum)
+        return estimate;
+    }
+  }
+
+private:
+  static constexpr std::size_t s_minimum = 3; // neighbors, of three equations each
+
+  // Of the columns of the equations, the smallest part that is no combination of those before it: about 0.1 where all is
+  // well, and 1e-8 where rounding errors are all there is.
+  static constexpr double s_smallest_pivot = 1e-6;
+
+  Curvature_estimate fit(std::size_t i, const std::vector<Index>& neighbors) const
+  {
+    // in the frame of the sample, and of unit size: results don't depend on the unit of length
+    const Vector& p = m_surface.point(i);
+    const Vector& n = m_surface.normal(i);
+    Vector t1, t2;
+    tangent_basis(n, t1, t2);
+    double largest = 0.;
+    for(const Index j : neighbors)
+      largest = (std::max)(largest, (m_surface.point(j) - p).cwiseAbs().maxCoeff());
+    double sum = 0.;
+    for(const Index j : neighbors)
+      sum += ((m_surface.point(j) - p) / largest).squaredNorm();
+    const double size = largest * std::sqrt(sum / double(neighbors.size()));
+    if(!(size > 0. && std::isfinite(size)))
+      return Curvature_estimate(Estimation_status::DEGENERATE);
+
+    Normal_equations matrix = Normal_equations::Zero();
+    Coefficients right_side = Coefficients::Zero();
+    const auto add_equation = [&](const Coefficients& row, const double value)
+    {
+      for(Eigen::Index c = 0; c < 7; ++c)
+        matrix.col(c) += row[c] * row;
+      right_side += value * row;
+    };
+    for(const Index j : neighbors)
+    {
+      const Vector d = (m_surface.point(j) - p) / size;
+      const Vector& normal = m_surface.normal(j);
+      const double x = d.dot(t1), y = d.dot(t2), z = d.dot(n);
+      const double a = normal.dot(t1), b = normal.dot(t2), c = normal.dot(n);
+      const double xx = x * x, xy = x * y, yy = y * y;
+      Coefficients row;
+      row << 0.5 * xx, xy, 0.5 * yy, xx * x, xx * y, x * yy, y * yy;
+      add_equation(row, z);
+      // The slopes are -a / c and -b / c. Multiplied by c, the equations of a steep surface don't outweigh all others.
+      row << c * x, c * y, 0., 3. * c * xx, 2. * c * xy, c * yy, 0.;
+      add_equation(row, -a);
+      row << 0., c * x, c * y, 0., c * xx, 2. * c * xy, 3. * c * yy;
+      add_equation(row, -b);
+    }
+    // columns of unit length
+    Coefficients inverse_length;
+    for(Eigen::Index c = 0; c < 7; ++c)
+    {
+      if(!(matrix(c, c) > 0.))
+        return Curvature_estimate(Estimation_status::DEGENERATE);
+      inverse_length[c] = 1. / std::sqrt(matrix(c, c));
+    }
+    matrix = inverse_length.asDiagonal() * matrix * inverse_length.asDiagonal();
+    const Eigen::LLT<Normal_equations> cholesky(matrix);
+    if(cholesky.info() != Eigen::Success || !(cholesky.matrixLLT().diagonal().minCoeff() > s_smallest_pivot))
+      return Curvature_estimate(Estimation_status::DEGENERATE);
+    const Coefficients solution =
+        inverse_length.cwiseProduct(cholesky.solve(inverse_length.cwiseProduct(right_side)));
+
+    // the height is (l x^2 + 2 m x y + n y^2) / 2 + ...: negative where convex
+    return Curvature_estimate(
+        m_surface.status(i),
+        eigen_of_shape_operator(n, -solution[0] / size, -solution[1] / size, -solution[2] / size, t1, t2));
+  }
+
+  const SampledSurface& m_surface;
+};
+
+} // namespace internal
+
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at the vertices of a mesh by fitting cubic polynomials to points and normals
+  \cgalCite{goldfeather_interrante}.
+
+  Over the tangent plane of the vertex, its neighbors are described as a height \f$ z = \frac{1}{2} (a x^2 + 2 b x y + c y^2) +
+  d x^3 + e x^2 y + f x y^2 + g y^3 \f$. Each neighbor gives three equations: of its height, and of the two slopes that its
+  normal tells; they are solved by least squares. The curvatures are those of the polynomial at the vertex. With
+  exact normals, the error falls with the square of the size of the neighborhood.
+
+  The equations of the slopes are multiplied by the cosine between the normals, in contrast to the paper: otherwise a
+  neighbor on a steep part outweighs all others.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
+          The results are the same, bit for bit, for any number of threads.
+  \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \scMeshOutputParameters
+    \scMeshInputParameters
+    \cgalParamNBegin{number_of_rings}
+      \cgalParamDescription{the size of the neighborhood, in edges}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`2`}
+      \cgalParamExtra{Where the neighbors are fewer than three, or don't determine a polynomial, up to two rings are
+                      added. If that isn't enough, the status is `FEW_NEIGHBOURS` or `DEGENERATE`.}
+    \cgalParamNEnd
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
+      \cgalParamType{`FT`}
+      \cgalParamDefault{not used}
+    \cgalParamNEnd
+    \scCallbackParameter
+  \cgalNamedParamsEnd
+
+  Where points and normals don't determine a polynomial (points on a line, say), the status is `DEGENERATE`.
+
+  \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
+
+  \throws std::invalid_argument if `number_of_rings` or `neighbor_radius` is out of its range
+
+  Complexity: linear in the number of vertices \f$ n \f$: \f$ O(n m) \f$ for neighborhoods of \f$ m \f$ vertices.
+
+  \cgalExample{curvature/goldfeather_interrante_curvatures.cpp}
+*/
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename FaceGraph,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<internal::is_face_graph<FaceGraph> > >
+std::size_t goldfeather_interrante_curvatures(const FaceGraph& mesh,
+                                              const NamedParameters& np = parameters::default_values())
+{
+  const Face_graph_samples surface =
+      sampled_surface<ConcurrencyTag>(mesh, internal::mesh_neighborhood(np), np);
+  const internal::Goldfeather_interrante_estimator<Face_graph_samples> estimator(surface);
+  return internal::estimate_vertices<ConcurrencyTag>(mesh, surface, estimator, np);
+}
+
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at one vertex of a mesh: those that `goldfeather_interrante_curvatures()` of the whole mesh
+  gives, bit for bit.
+
+  \param v the vertex
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `number_of_rings` and `neighbor_radius`
+         as for the whole mesh, and the ones listed below
+
+  \cgalNamedParamsBegin
+    \scVertexOutputParameters
+    \scMeshInputParameters
+  \cgalNamedParamsEnd
+
+  \return whether the curvatures were estimated, or why not
+
+  \throws std::invalid_argument as for the whole mesh
+
+  Complexity: that of the neighborhood, whatever the size of the mesh.
+*/
+template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
+Estimation_status goldfeather_interrante_curvatures(typename internal::Vertex_descriptor<FaceGraph>::type v,
+                                                    const FaceGraph& mesh,
+                                                    const NamedParameters& np = parameters::default_values())
+{
+  using Estimator = internal::Goldfeather_interrante_estimator<Face_graph_samples>;
+  const Face_graph_samples surface = sampled_surface(v, mesh, internal::mesh_neighborhood(np), 1, np);
+  const Estimator estimator(surface);
+  typename Estimator::Workspace workspace;
+  return internal::write_to_references(estimator(0, workspace), np);
+}
+
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at the points of a point set with normals, as `goldfeather_interrante_curvatures()` of a mesh
+  does.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default)
+  \tparam PointRange a model of `ConstRange`
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param points the point set
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \scPointSetOutputParameters
+    \scPointSetInputParameters
+    \cgalParamNBegin{number_of_neighbors}
+      \cgalParamDescription{the size of the neighborhood: as many nearest points}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`18`}
+      \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`.}
+    \cgalParamNEnd
+    \cgalParamNBegin{neighbor_radius}
+      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
+      \cgalParamType{`FT`}
+      \cgalParamDefault{not used}
+    \cgalParamNEnd
+    \scCallbackParameter
+  \cgalNamedParamsEnd
+
+  \return the number of points that could not be estimated. Their values are quiet NaN, their status says why.
+
+  \throws std::invalid_argument as for meshes, and if there is no normal map
+
+  Complexity: \f$ O(n (\log n + m)) \f$ for \f$ n \f$ points with neighborhoods of \f$ m \f$.
+*/
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename PointRange,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<internal::is_point_range<PointRange> >,
+          typename = void>
+std::size_t goldfeather_interrante_curvatures(PointRange&& points,
+                                              const NamedParameters& np = parameters::default_values())
+{
+  const Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np), np);
+  const internal::Goldfeather_interrante_estimator<Point_set_samples> estimator(surface);
+  return internal::estimate_points<ConcurrencyTag>(points, surface.size(), estimator, np);
+}
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_GOLDFEATHER_INTERRANTE_CURVATURES_H
