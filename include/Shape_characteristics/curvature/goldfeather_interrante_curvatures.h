@@ -12,10 +12,10 @@
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -24,13 +24,82 @@
 namespace Shape_characteristics {
 namespace internal {
 
+// Least squares in seven unknowns by Cholesky's method. Plain loops: matrices of a fixed size of Eigen's are unrolled, which
+// takes minutes to compile.
+class Cubic_fit_equations
+{
+public:
+  using Coefficients = std::array<double, 7>;
+
+  void add(const Coefficients& row, double value)
+  {
+    for(std::size_t i = 0; i < 7; ++i)
+    {
+      for(std::size_t j = 0; j <= i; ++j)
+        m_matrix[i][j] += row[i] * row[j];
+      m_right_side[i] += value * row[i];
+    }
+  }
+
+  // whether there is one solution
+  bool solve(Coefficients& x)
+  {
+    Coefficients& d = x; // lengths of the columns of the equations, until the end
+    for(std::size_t i = 0; i < 7; ++i)
+    {
+      if(!(m_matrix[i][i] > 0.))
+        return false;
+      d[i] = std::sqrt(m_matrix[i][i]);
+    }
+    Coefficients y{};
+    for(std::size_t i = 0; i < 7; ++i)
+    {
+      y[i] = m_right_side[i] / d[i];
+      for(std::size_t j = 0; j <= i; ++j)
+      {
+        double& entry = m_matrix[i][j];
+        entry /= d[i] * d[j];
+        for(std::size_t k = 0; k < j; ++k)
+          entry -= m_matrix[i][k] * m_matrix[j][k];
+        if(j < i)
+        {
+          entry /= m_matrix[j][j];
+          y[i] -= entry * y[j];
+        }
+        else
+        {
+          entry = std::sqrt(entry);
+          if(!(entry > s_smallest_pivot))
+            return false;
+        }
+      }
+      y[i] /= m_matrix[i][i];
+    }
+    for(std::size_t i = 7; i-- > 0;)
+    {
+      for(std::size_t k = i + 1; k < 7; ++k)
+        y[i] -= m_matrix[k][i] * y[k];
+      y[i] /= m_matrix[i][i];
+    }
+    for(std::size_t i = 0; i < 7; ++i)
+      x[i] = y[i] / d[i];
+    return true;
+  }
+
+private:
+  // Of the columns of the equations, the smallest part that is no combination of those before it: about 0.1 where all is
+  // well, and 1e-8 where rounding errors are all there is.
+  static constexpr double s_smallest_pivot = 1e-6;
+
+  std::array<Coefficients, 7> m_matrix{}; // the lower triangle
+  Coefficients m_right_side{};
+};
+
 template <typename SampledSurface>
 class Goldfeather_interrante_estimator
 {
   using Index = typename SampledSurface::Index;
   using Vector = Eigen::Vector3d;
-  using Coefficients = Eigen::Matrix<double, 7, 1>;
-  using Normal_equations = Eigen::Matrix<double, 7, 7>;
 
 public:
   using Workspace = typename SampledSurface::Workspace;
@@ -64,10 +133,6 @@ public:
 private:
   static constexpr std::size_t s_minimum = 3; // neighbors, of three equations each
 
-  // Of the columns of the equations, the smallest part that is no combination of those before it: about 0.1 where all is
-  // well, and 1e-8 where rounding errors are all there is.
-  static constexpr double s_smallest_pivot = 1e-6;
-
   Curvature_estimate fit(std::size_t i, const std::vector<Index>& neighbors) const
   {
     // in the frame of the sample, and of unit size: results don't depend on the unit of length
@@ -85,14 +150,7 @@ private:
     if(!(size > 0. && std::isfinite(size)))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
-    Normal_equations matrix = Normal_equations::Zero();
-    Coefficients right_side = Coefficients::Zero();
-    const auto add_equation = [&](const Coefficients& row, const double value)
-    {
-      for(Eigen::Index c = 0; c < 7; ++c)
-        matrix.col(c) += row[c] * row;
-      right_side += value * row;
-    };
+    Cubic_fit_equations equations;
     for(const Index j : neighbors)
     {
       const Vector d = (m_surface.point(j) - p) / size;
@@ -100,29 +158,14 @@ private:
       const double x = d.dot(t1), y = d.dot(t2), z = d.dot(n);
       const double a = normal.dot(t1), b = normal.dot(t2), c = normal.dot(n);
       const double xx = x * x, xy = x * y, yy = y * y;
-      Coefficients row;
-      row << 0.5 * xx, xy, 0.5 * yy, xx * x, xx * y, x * yy, y * yy;
-      add_equation(row, z);
+      equations.add({0.5 * xx, xy, 0.5 * yy, xx * x, xx * y, x * yy, y * yy}, z);
       // The slopes are -a / c and -b / c. Multiplied by c, the equations of a steep surface don't outweigh all others.
-      row << c * x, c * y, 0., 3. * c * xx, 2. * c * xy, c * yy, 0.;
-      add_equation(row, -a);
-      row << 0., c * x, c * y, 0., c * xx, 2. * c * xy, 3. * c * yy;
-      add_equation(row, -b);
+      equations.add({c * x, c * y, 0., 3. * c * xx, 2. * c * xy, c * yy, 0.}, -a);
+      equations.add({0., c * x, c * y, 0., c * xx, 2. * c * xy, 3. * c * yy}, -b);
     }
-    // columns of unit length
-    Coefficients inverse_length;
-    for(Eigen::Index c = 0; c < 7; ++c)
-    {
-      if(!(matrix(c, c) > 0.))
-        return Curvature_estimate(Estimation_status::DEGENERATE);
-      inverse_length[c] = 1. / std::sqrt(matrix(c, c));
-    }
-    matrix = inverse_length.asDiagonal() * matrix * inverse_length.asDiagonal();
-    const Eigen::LLT<Normal_equations> cholesky(matrix);
-    if(cholesky.info() != Eigen::Success || !(cholesky.matrixLLT().diagonal().minCoeff() > s_smallest_pivot))
+    Cubic_fit_equations::Coefficients solution;
+    if(!equations.solve(solution))
       return Curvature_estimate(Estimation_status::DEGENERATE);
-    const Coefficients solution =
-        inverse_length.cwiseProduct(cholesky.solve(inverse_length.cwiseProduct(right_side)));
 
     // the height is (l x^2 + 2 m x y + n y^2) / 2 + ...: negative where convex
     return Curvature_estimate(
