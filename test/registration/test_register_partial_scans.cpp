@@ -41,10 +41,9 @@ auto maps()
       .normal_map(CGAL::Second_of_pair_property_map<Pair>());
 }
 
-template <typename ConcurrencyTag = CGAL::Sequential_tag>
 Result registered(const Scan& source, const Scan& target)
 {
-  return SC::register_partial_scans<ConcurrencyTag>(source, target, maps(), maps());
+  return SC::register_partial_scans<CGAL::Sequential_tag>(source, target, maps(), maps());
 }
 
 double random_number(std::mt19937& generator) // the library's distributions differ
@@ -267,16 +266,6 @@ BOOST_AUTO_TEST_CASE(units_and_places)
   BOOST_TEST(error(s, result.transformation, away * to_eigen(reference.transformation)) < 1e-5);
 }
 
-BOOST_AUTO_TEST_CASE(any_number_of_threads)
-{
-  const Scan target = left_part(1), source = moved(right_part(2), some_motion());
-  const Result one = registered<CGAL::Sequential_tag>(source, target),
-               all_of_them = registered<CGAL::Parallel_if_available_tag>(source, target);
-  for(int row = 0; row < 3; ++row)
-    for(int column = 0; column < 4; ++column)
-      BOOST_TEST(one.transformation.m(row, column) == all_of_them.transformation.m(row, column));
-}
-
 BOOST_AUTO_TEST_CASE(the_same_scan_twice)
 {
   const Scan scan = left_part(1);
@@ -404,9 +393,11 @@ BOOST_AUTO_TEST_CASE(other_units)
 BOOST_AUTO_TEST_CASE(wrong_parameters)
 {
   const Scan scan = left_part(1);
-  BOOST_CHECK_THROW(SC::register_partial_scans(scan, scan, maps().number_of_neighbors(7), maps()),
-                    std::invalid_argument);
-  BOOST_CHECK_THROW(SC::register_partial_scans(scan, scan, maps().maximum_number_of_samples(99), maps()),
+  BOOST_CHECK_THROW(
+      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps().number_of_neighbors(7), maps()),
+      std::invalid_argument);
+  BOOST_CHECK_THROW(SC::register_partial_scans<CGAL::Sequential_tag>(
+                        scan, scan, maps().maximum_number_of_samples(99), maps()),
                     std::invalid_argument);
   std::vector<double> advancement;
   const std::function<bool(double)> callback = [&](const double done)
@@ -414,7 +405,8 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
     advancement.push_back(done);
     return false;
   };
-  const Result result = SC::register_partial_scans(scan, scan, maps().callback(callback), maps());
+  const Result result =
+      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps().callback(callback), maps());
   BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
   BOOST_TEST(advancement.size() == 1u);
