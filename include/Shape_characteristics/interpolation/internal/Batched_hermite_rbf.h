@@ -204,7 +204,7 @@ public:
 private:
   // Samples that are served by the fit of another, as well as by one of their own: near its center (in units of the
   // neighborhood's size), where the surface bends little. The next center is sought farther away.
-  static constexpr double s_served_distance = 0.85, s_rim = 1.3;
+  static constexpr double s_served_distance = 0.75, s_rim = 1.25;
   static constexpr double s_served_cosine = 0.97;      // of the angle between their normals
   static constexpr double s_served_curvature = 2.;     // largest there, in units of the inverse size
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
