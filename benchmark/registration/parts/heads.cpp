@@ -110,7 +110,7 @@ Scan resampled(Mesh mesh, std::size_t faces, Random& random)
     const double x = random.gaussian(), y = random.gaussian(), z = random.gaussian();
     mesh.point(v) = mesh.point(v) + Kernel::Vector_3(sigma * x, sigma * y, sigma * z);
   }
-  using Policies = SMS::GarlandHeckbert_policies<Mesh, Kernel>;
+  using Policies = SMS::GarlandHeckbert_plane_policies<Mesh, Kernel>;
   const Policies policies(mesh);
   // each edge that is collapsed takes two faces, or one on the border
   const std::size_t edges = faces * 3 / 2;
