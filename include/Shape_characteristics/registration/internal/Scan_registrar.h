@@ -517,7 +517,9 @@ private:
     double sum = 0.;
     for(const Eigen::Vector3d& p : m_source.points)
       sum += (step(small) * (motion * p) - motion * p).norm() / double(m_source.size());
-    return step(small * 1.5 * s_different * m_radius / sum) * motion;
+    // Points on a line stay where they are when it is the axis.
+    constexpr double rounding = 1e-8;
+    return sum > rounding * small * size ? step(small * 1.5 * s_different * m_radius / sum) * motion : motion;
   }
 
   const Registration_options& m_options;
