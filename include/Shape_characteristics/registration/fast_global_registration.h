@@ -6,7 +6,7 @@
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Rigid_alignment.h>
-#include <Shape_characteristics/registration/internal/Unit_frame.h>
+#include <Shape_characteristics/registration/internal/Scan_frame.h>
 #include <Shape_characteristics/registration/internal/check_oriented_points.h>
 
 #include <Eigen/Eigenvalues>
@@ -172,7 +172,7 @@ Rigid_alignment fast_global_registration(const Oriented_points& source,
   internal::check_correspondences(source, target, correspondences);
 
   Rigid_alignment result;
-  const internal::Unit_frame frame(source, target);
+  const internal::Scan_frame frame(source, target);
   std::vector<internal::Graduated_registration::Pair> pairs;
   std::vector<Correspondence> usable;
   for(const Correspondence& c : correspondences)

@@ -7,7 +7,7 @@
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Rigid_alignment.h>
 #include <Shape_characteristics/registration/internal/Plane_distances.h>
-#include <Shape_characteristics/registration/internal/Unit_frame.h>
+#include <Shape_characteristics/registration/internal/Scan_frame.h>
 #include <Shape_characteristics/registration/internal/check_oriented_points.h>
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
@@ -26,7 +26,7 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Pairs of a moving point and the nearest one of the target, in the coordinates of a `Unit_frame`.
+// Pairs of a moving point and the nearest one of the target, in the coordinates of a `Scan_frame`.
 class Closest_points
 {
 public:
@@ -34,7 +34,7 @@ public:
 
   Closest_points(const Oriented_points& source,
                  const Oriented_points& target,
-                 const Unit_frame& frame,
+                 const Scan_frame& frame,
                  double minimum_cosine)
     : m_target_points(in_frame(target, [&](const Eigen::Vector3d& p) { return frame.target(p); })),
       m_target_normals(target.normals),
@@ -227,7 +227,7 @@ Rigid_alignment iterative_closest_point(const Oriented_points& source,
   internal::check_normals(source, target);
 
   Rigid_alignment result;
-  const internal::Unit_frame frame(source, target);
+  const internal::Scan_frame frame(source, target);
   if(!frame.is_valid() || !start.matrix().allFinite())
   {
     if(source.size() > 0 && target.size() > 0)

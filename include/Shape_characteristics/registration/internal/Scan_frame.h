@@ -1,5 +1,5 @@
-#ifndef SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_UNIT_FRAME_H
-#define SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_UNIT_FRAME_H
+#ifndef SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_SCAN_FRAME_H
+#define SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_SCAN_FRAME_H
 
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
@@ -16,10 +16,10 @@ namespace internal {
 
 // Coordinates in which both surfaces have their centroid in the origin, and the larger one the radius 1: what is computed
 // in them depends neither on the unit of length nor on where the surfaces begin.
-class Unit_frame
+class Scan_frame
 {
 public:
-  Unit_frame(const Oriented_points& source, const Oriented_points& target)
+  Scan_frame(const Oriented_points& source, const Oriented_points& target)
     : m_source(centroid(source.points)),
       m_target(centroid(target.points)),
       m_size((std::max)(radius(source.points, m_source), radius(target.points, m_target)))
@@ -82,4 +82,4 @@ private:
 } // namespace internal
 } // namespace Shape_characteristics
 
-#endif // SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_UNIT_FRAME_H
+#endif // SHAPE_CHARACTERISTICS_REGISTRATION_INTERNAL_SCAN_FRAME_H
