@@ -5,6 +5,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
+#include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
@@ -14,7 +15,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -108,26 +108,8 @@ public:
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
   {
-    const Estimation_status status = m_surface.status(i);
-    if(!is_estimated(status))
-      return Curvature_estimate(status);
-
-    std::size_t minimum = s_minimum;
-    const std::vector<Index>* neighbors = &m_surface.neighbors(i, minimum, workspace);
-    if(neighbors->size() < minimum)
-      return Curvature_estimate(Estimation_status::FEW_NEIGHBOURS);
-
-    // Points on a line determine no surface, however many they are.
-    for(;;)
-    {
-      const Curvature_estimate estimate = fit(i, *neighbors);
-      minimum = neighbors->size() + 1;
-      if(estimate.status != Estimation_status::DEGENERATE)
-        return estimate;
-      neighbors = &m_surface.neighbors(i, minimum, workspace);
-      if(neighbors->size() < minimum)
-        return estimate;
-    }
+    return fit_to_neighbors(m_surface, i, s_minimum, workspace,
+                            [&](const std::vector<Index>& neighbors) { return fit(i, neighbors); });
   }
 
 private:
@@ -140,13 +122,7 @@ private:
     const Vector& n = m_surface.normal(i);
     Vector t1, t2;
     tangent_basis(n, t1, t2);
-    double largest = 0.;
-    for(const Index j : neighbors)
-      largest = (std::max)(largest, (m_surface.point(j) - p).cwiseAbs().maxCoeff());
-    double sum = 0.;
-    for(const Index j : neighbors)
-      sum += ((m_surface.point(j) - p) / largest).squaredNorm();
-    const double size = largest * std::sqrt(sum / double(neighbors.size()));
+    const double size = size_of_neighborhood(m_surface, i, neighbors);
     if(!(size > 0. && std::isfinite(size)))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 

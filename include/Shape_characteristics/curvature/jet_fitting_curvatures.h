@@ -5,6 +5,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
+#include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/to_eigen.h>
@@ -15,7 +16,6 @@
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -53,26 +53,9 @@ public:
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
   {
-    const Estimation_status status = m_surface.status(i);
-    if(!is_estimated(status))
-      return Curvature_estimate(status);
-
-    std::size_t minimum = (m_degree + 1) * (m_degree + 2) / 2 - 1;
-    const std::vector<Index>* neighbors = &m_surface.neighbors(i, minimum, workspace.neighbors);
-    if(neighbors->size() < minimum)
-      return Curvature_estimate(Estimation_status::FEW_NEIGHBOURS);
-
-    // Points on a few lines, as at the border of a regular grid, can be too few however many they are.
-    for(;;)
-    {
-      const Curvature_estimate estimate = fit(i, *neighbors, workspace.points);
-      minimum = neighbors->size() + 1;
-      if(estimate.status != Estimation_status::DEGENERATE)
-        return estimate;
-      neighbors = &m_surface.neighbors(i, minimum, workspace.neighbors);
-      if(neighbors->size() < minimum)
-        return estimate;
-    }
+    return fit_to_neighbors(m_surface, i, (m_degree + 1) * (m_degree + 2) / 2 - 1, workspace.neighbors,
+                            [&](const std::vector<Index>& neighbors)
+                            { return fit(i, neighbors, workspace.points); });
   }
 
 private:
@@ -82,13 +65,7 @@ private:
     // Relative to the sample, and of unit size: otherwise digits are lost far from the origin, and squares of lengths
     // are not in the range of numbers.
     const Eigen::Vector3d& p = m_surface.point(i);
-    double largest = 0.;
-    for(const Index j : neighbors)
-      largest = (std::max)(largest, (m_surface.point(j) - p).cwiseAbs().maxCoeff());
-    double sum = 0.;
-    for(const Index j : neighbors)
-      sum += ((m_surface.point(j) - p) / largest).squaredNorm();
-    const double size = largest * std::sqrt(sum / double(neighbors.size()));
+    const double size = size_of_neighborhood(m_surface, i, neighbors);
     if(!(size > 0. && std::isfinite(size)))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 

@@ -124,7 +124,6 @@ public:
     const std::size_t begin = patches.begin(patch), end = patches.end(patch);
     workspace.m_points.clear();
     workspace.m_normals.clear();
-    workspace.m_served.clear();
     workspace.m_tasks.clear();
     workspace.m_nearest.assign(end - begin, {std::numeric_limits<double>::infinity(), 0, 0});
     // the entry of a sample that may be served; null if it belongs to another patch
@@ -282,7 +281,7 @@ private:
       }
   }
 
-  // whether there is a task: else the answer has been given
+  // Whether there is a task: else the answer has been given. What it serves is for the caller to say.
   bool add_task(Index i, Workspace& workspace, std::vector<Task>& tasks, const Output& output) const
   {
     Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
@@ -299,9 +298,6 @@ private:
       task.exact = Exact_fit_attempts(neighborhood);
     else
       task.noisy = Noisy_fit_attempts(neighborhood, m_options.noise_level);
-    task.first_served = workspace.m_served.size();
-    task.number_of_served = 1;
-    workspace.m_served.push_back({i, 0});
     tasks.push_back(task);
     return true;
   }
@@ -341,7 +337,13 @@ private:
       make_batch(first, (std::min)(first + lanes, workspace.m_tasks.size()), workspace, output);
 
     for(const Index i : workspace.m_left)
-      add_task(i, workspace, workspace.m_next_tasks, output);
+      if(add_task(i, workspace, workspace.m_next_tasks, output))
+      {
+        Task& task = workspace.m_next_tasks.back();
+        task.first_served = workspace.m_served.size();
+        task.number_of_served = 1;
+        workspace.m_served.push_back({i, 0});
+      }
     std::swap(workspace.m_tasks, workspace.m_next_tasks);
   }
 

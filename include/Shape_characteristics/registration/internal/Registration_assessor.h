@@ -4,6 +4,7 @@
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Registration_quality.h>
 #include <Shape_characteristics/registration/internal/Point_grid.h>
+#include <Shape_characteristics/registration/internal/centroid.h>
 #include <Shape_characteristics/registration/internal/usable_points.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
@@ -77,7 +78,7 @@ private:
   {
     Surface(const Oriented_points& all, double spacing)
       : surface(usable_points(all)),
-        grid(surface.points, mean_point(surface.points), s_near * spacing)
+        grid(surface.points, centroid(surface.points), s_near * spacing)
     {
       smooth();
       for(std::size_t i = 0; i < surface.size(); ++i)

@@ -3,12 +3,12 @@
 
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
+#include <Shape_characteristics/registration/internal/centroid.h>
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -48,24 +48,6 @@ public:
   }
 
 private:
-  static Eigen::Vector3d centroid(const std::vector<Eigen::Vector3d>& points)
-  {
-    // relative to a point: otherwise digits are lost far from the origin
-    const auto first =
-        std::find_if(points.begin(), points.end(), [](const Eigen::Vector3d& p) { return p.allFinite(); });
-    if(first == points.end())
-      return Eigen::Vector3d::Zero();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    std::size_t number = 0;
-    for(const Eigen::Vector3d& p : points)
-      if(p.allFinite())
-      {
-        sum += p - *first;
-        ++number;
-      }
-    return *first + sum / double(number);
-  }
-
   static double radius(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& center)
   {
     double result = 0.;

@@ -12,6 +12,7 @@
 #include <Shape_characteristics/registration/Rigid_alignment.h>
 #include <Shape_characteristics/registration/fast_global_registration.h>
 #include <Shape_characteristics/registration/internal/Registration_assessor.h>
+#include <Shape_characteristics/registration/internal/centroid.h>
 #include <Shape_characteristics/registration/internal/thin_out.h>
 #include <Shape_characteristics/registration/internal/usable_points.h>
 #include <Shape_characteristics/registration/iterative_closest_point.h>
@@ -72,7 +73,7 @@ public:
   run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
   {
     const Oriented_points s = usable_points(source), t = usable_points(target);
-    const Eigen::Vector3d source_center = mean_point(s.points), target_center = mean_point(t.points);
+    const Eigen::Vector3d source_center = centroid(s.points), target_center = centroid(t.points);
     const Oriented_points centered_source = moved(s, source_center, 1.);
     const Oriented_points centered_target = moved(t, target_center, 1.);
     Registration_outcome outcome;
@@ -148,15 +149,21 @@ private:
       m_source(thin_out_to(source, options.maximum_number_of_samples)),
       m_target(thin_out_to(target, options.maximum_number_of_samples)),
       m_spacing(make_equally_dense()),
+      m_sparse_source(every(m_source, m_source.size() / s_enough_to_refine + 1)),
       m_radius(radius(m_source)),
       m_assessor(m_source, m_target, m_spacing)
+  {}
+
+  // the first of each `step` points
+  static Oriented_points every(const Oriented_points& scan, std::size_t step)
   {
-    const std::size_t step = m_source.size() / s_enough_to_refine + 1;
-    for(std::size_t i = 0; i < m_source.size(); i += step)
+    Oriented_points result;
+    for(std::size_t i = 0; i < scan.size(); i += step)
     {
-      m_sparse_source.points.push_back(m_source.points[i]);
-      m_sparse_source.normals.push_back(m_source.normals[i]);
+      result.points.push_back(scan.points[i]);
+      result.normals.push_back(scan.normals[i]);
     }
+    return result;
   }
 
   static Oriented_points moved(const Oriented_points& scan, const Eigen::Vector3d& center, double scale)
@@ -428,13 +435,8 @@ private:
   void try_roughly(const std::vector<Eigen::Isometry3d>& starts,
                    std::vector<Registration_hypothesis>& found) const
   {
-    Oriented_points few;
     const std::size_t step = m_source.size() / s_enough_to_try + 1;
-    for(std::size_t i = 0; i < m_source.size(); i += step)
-    {
-      few.points.push_back(m_source.points[i]);
-      few.normals.push_back(m_source.normals[i]);
-    }
+    const Oriented_points few = every(m_source, step);
     std::vector<std::pair<double, Eigen::Isometry3d> > tried;
     for(const Eigen::Isometry3d& start : starts)
     {
@@ -463,7 +465,7 @@ private:
   // Moves the source along the target where nothing seems to hold it.
   void try_sliding(const Registration_hypothesis& best, std::vector<Registration_hypothesis>& found)
   {
-    Eigen::Vector3d center = best.motion * mean_point(m_source.points);
+    Eigen::Vector3d center = best.motion * centroid(m_source.points);
     const double size = m_radius;
     Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
     for(std::size_t i = 0; i < m_source.size(); ++i)
@@ -523,8 +525,10 @@ private:
   }
 
   const Registration_options& m_options;
-  Oriented_points m_source, m_target, m_sparse_source;
-  double m_spacing, m_radius;
+  Oriented_points m_source, m_target;
+  double m_spacing;
+  Oriented_points m_sparse_source;
+  double m_radius;
   Registration_assessor m_assessor;
   double m_share_of_matches = 0.; // those that the best motion explains
   bool m_slides = false;

@@ -3,7 +3,7 @@
 
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/internal/Point_grid.h>
-#include <Shape_characteristics/registration/internal/usable_points.h>
+#include <Shape_characteristics/registration/internal/centroid.h>
 
 #include <Eigen/Core>
 
@@ -21,7 +21,7 @@ namespace internal {
 inline Oriented_points thin_out(const Oriented_points& all, double distance, std::size_t enough)
 {
   Oriented_points result;
-  Point_grid grid(all.points, mean_point(all.points), distance);
+  Point_grid grid(all.points, centroid(all.points), distance);
   for(std::size_t i = 0; i < all.size() && result.size() <= enough; ++i)
   {
     if(grid.has_nearer_than(all.points[i], distance))

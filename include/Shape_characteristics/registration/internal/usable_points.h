@@ -3,10 +3,7 @@
 
 #include <Shape_characteristics/registration/Oriented_points.h>
 
-#include <Eigen/Core>
-
 #include <cstddef>
-#include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -22,15 +19,6 @@ inline Oriented_points usable_points(const Oriented_points& all)
       result.normals.push_back(all.normals[i]);
     }
   return result;
-}
-
-// their centroid; the origin if there are none
-inline Eigen::Vector3d mean_point(const std::vector<Eigen::Vector3d>& points)
-{
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for(const Eigen::Vector3d& p : points)
-    mean += p / double(points.size());
-  return mean;
 }
 
 } // namespace internal
