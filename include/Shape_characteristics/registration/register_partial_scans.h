@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/normals/Normal_weighting.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Registration_result.h>
@@ -41,7 +42,13 @@ template <typename ConcurrencyTag, typename Scan, typename NamedParameters>
 Oriented_points oriented_points_of(const Scan& scan, const NamedParameters& np)
 {
   if constexpr(is_face_graph<Scan>)
-    return Oriented_points::of(sampled_surface<ConcurrencyTag>(scan, Neighborhood::rings(1), np));
+  {
+    // Large triangles have the normals that noise turns least.
+    const Normal_weighting weighting = parameters::choose_parameter(
+        parameters::get_parameter(np, internal_np::normal_weighting), Normal_weighting::AREA);
+    return Oriented_points::of(sampled_surface<ConcurrencyTag>(
+        scan, Neighborhood::rings(1), parameters::extend(np).normal_weighting(weighting)));
+  }
   else
     return Oriented_points::of(sampled_surface(scan, Neighborhood::nearest(1), np));
 }
@@ -93,7 +100,12 @@ CGAL::Aff_transformation_3<Kernel> to_cgal(const Eigen::Affine3d& motion)
     \cgalParamNBegin{vertex_normal_map}
       \cgalParamDescription{of a mesh: the outward normals of the vertices, of any length}
       \cgalParamType{a model of `ReadablePropertyMap` with value type `%Vector_3`}
-      \cgalParamDefault{computed by `vertex_normals()`}
+      \cgalParamDefault{computed by `vertex_normals()` with `normal_weighting`}
+    \cgalParamNEnd
+    \cgalParamNBegin{normal_weighting}
+      \cgalParamDescription{of a mesh: how the normals of faces count in that of their vertex}
+      \cgalParamType{`Normal_weighting`}
+      \cgalParamDefault{`Normal_weighting::AREA`, which noise disturbs least}
     \cgalParamNEnd
     \cgalParamNBegin{point_map}
       \cgalParamDescription{of a point set: the points of the elements of the range}
