@@ -1,5 +1,6 @@
 #include "heads.h"
 
+#include "Mesh.h"
 #include "Random.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -10,7 +11,6 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
@@ -33,7 +33,6 @@ namespace SC = Shape_characteristics;
 namespace SMS = CGAL::Surface_mesh_simplification;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
-using Mesh = CGAL::Surface_mesh<Point_3>;
 using benchmark_support::Random;
 
 Eigen::Vector3d to_eigen(const Point_3& p)
@@ -64,16 +63,6 @@ Scan to_scan(const Mesh& mesh)
     scan.triangles.push_back(t);
   }
   return scan;
-}
-
-Mesh to_mesh(const Scan& scan)
-{
-  Mesh mesh;
-  for(const Eigen::Vector3d& p : scan.points)
-    mesh.add_vertex(to_cgal(p));
-  for(const auto& t : scan.triangles)
-    mesh.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
-  return mesh;
 }
 
 Mesh read_skin(const std::string& file)

@@ -1,5 +1,7 @@
 #include "variants.h"
 
+#include "Mesh.h"
+#include "open3d_registration.h"
 #include "signals.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -21,6 +23,8 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <ctime>
 #include <functional>
 #include <stdexcept>
@@ -204,6 +208,37 @@ Trial_result run_steps(const Split& split, std::size_t neighbors, const Steps& s
   return result;
 }
 
+Open3d_cloud to_open3d(const Scan& scan)
+{
+  const auto copy = [](const Points& points)
+  {
+    std::vector<std::array<double, 3> > copies;
+    for(const Eigen::Vector3d& p : points)
+      copies.push_back({p.x(), p.y(), p.z()});
+    return copies;
+  };
+  return {copy(scan.points), copy(scan.normals)};
+}
+
+Trial_result run_open3d(const Split& split, std::size_t neighbors)
+{
+  const Open3d_result found =
+      open3d_registration(to_open3d(split.source), to_open3d(split.target), radius_of(split, neighbors));
+  Trial_result result;
+  result.describe = found.describe;
+  result.solve = found.match_and_solve;
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  for(int row = 0; row < 3; ++row)
+    for(int column = 0; column < 4; ++column)
+      motion.matrix()(row, column) = found.motion[std::size_t(row)][std::size_t(column)];
+  result.error = registration_error(split, motion);
+  std::vector<Correspondence> inliers;
+  for(const auto& [s, t] : found.inliers)
+    inliers.push_back({std::uint32_t(s), std::uint32_t(t)});
+  result.mirrored = mirrored_share(split, inliers);
+  return result;
+}
+
 std::vector<Point_and_normal> as_range(const Scan& scan)
 {
   std::vector<Point_and_normal> range;
@@ -217,14 +252,27 @@ std::vector<Point_and_normal> as_range(const Scan& scan)
 
 Trial_result run_pipeline(const Split& split, std::size_t neighbors)
 {
-  const std::vector<Point_and_normal> source = as_range(split.source), target = as_range(split.target);
-  const auto maps = SC::parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal>())
-                        .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal>());
-  const double start = now();
-  const SC::Registration_result<Kernel> found = SC::register_partial_scans<CGAL::Sequential_tag>(
-      source, target, maps.number_of_neighbors(neighbors), maps);
   Trial_result result;
-  result.solve = now() - start;
+  SC::Registration_result<Kernel> found;
+  // Meshes get their normals from the library, as a user's do.
+  if(split.source.triangles.empty())
+  {
+    const std::vector<Point_and_normal> source = as_range(split.source), target = as_range(split.target);
+    const auto maps = SC::parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal>())
+                          .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal>());
+    const double start = now();
+    found = SC::register_partial_scans<CGAL::Sequential_tag>(source, target,
+                                                             maps.number_of_neighbors(neighbors), maps);
+    result.solve = now() - start;
+  }
+  else
+  {
+    const Mesh source = to_mesh(split.source), target = to_mesh(split.target);
+    const double start = now();
+    found = SC::register_partial_scans<CGAL::Sequential_tag>(source, target,
+                                                             SC::parameters::number_of_neighbors(neighbors));
+    result.solve = now() - start;
+  }
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
   for(int row = 0; row < 3; ++row)
     for(int column = 0; column < 4; ++column)
@@ -244,18 +292,24 @@ Trial_result run_pipeline(const Split& split, std::size_t neighbors)
 
 const std::vector<Variant>& variants()
 {
-  static const std::vector<Variant> all = {
-      {"base", "FPFH and fast global registration"},
-      {"thesis1", "the thesis's first feature vector: FPFH times flux, and the flux; in millimeters"},
-      {"thesis2", "the second: FPFH times flux, and the signed volume of mean curvature"},
-      {"thesis3", "the third: FPFH times flux, the flux and both volumes"},
-      {"thesis4", "the fourth: FPFH times flux, and both volumes"},
-      {"orient", "FPFH, triples of matches must not be mirrored"},
-      {"orient_ppf", "the same, and their normals must agree"},
-      {"mirror_orient_ppf", "the same, and matches must not suit the mirrored descriptor better"},
-      {"chi_orient_ppf", "FPFH and chirality, triples tested as for `orient_ppf`"},
-      {"pipeline", "register_partial_scans()"},
-  };
+  static const std::vector<Variant> all = []
+  {
+    std::vector<Variant> result = {
+        {"base", "FPFH and fast global registration"},
+        {"thesis1", "the thesis's first feature vector: FPFH times flux, and the flux; in millimeters"},
+        {"thesis2", "the second: FPFH times flux, and the signed volume of mean curvature"},
+        {"thesis3", "the third: FPFH times flux, the flux and both volumes"},
+        {"thesis4", "the fourth: FPFH times flux, and both volumes"},
+        {"orient", "FPFH, triples of matches must not be mirrored"},
+        {"orient_ppf", "the same, and their normals must agree"},
+        {"mirror_orient_ppf", "the same, and matches must not suit the mirrored descriptor better"},
+        {"chi_orient_ppf", "FPFH and chirality, triples tested as for `orient_ppf`"},
+        {"pipeline", "register_partial_scans()"},
+    };
+    if(has_open3d())
+      result.push_back({"open3d", "Open3D's FPFH and fast global registration"});
+    return result;
+  }();
   return all;
 }
 
@@ -264,6 +318,8 @@ Trial_result run_variant(const std::string& name, const Split& split, std::size_
   Trial_result result;
   if(name == "pipeline")
     result = run_pipeline(split, neighbors);
+  else if(name == "open3d" && has_open3d())
+    result = run_open3d(split, neighbors);
   else if(name == "base")
     result = run_steps(split, neighbors, {});
   else if(name == "orient")
