@@ -105,6 +105,9 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                                                                      maximum_number_of_samples,
                                                                      maximum_number_of_samples)
 
+    // deformation of heads
+    SC_new_parameter(deformed_vertex_point_map_t, deformed_vertex_point_map, deformed_vertex_point_map)
+
     // general
     SC_CGAL_parameter(callback_t, callback) SC_CGAL_parameter(random_seed_t, random_seed)
         SC_CGAL_parameter(verbose_t, verbose)
