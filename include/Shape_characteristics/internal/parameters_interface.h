@@ -79,6 +79,10 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                         SC_new_parameter(signed_volume_method_t, signed_volume_method, signed_volume_method)
                             SC_new_parameter(signal_scaling_t, signal_scaling, signal_scaling)
 
+    // ambient occlusion
+    SC_new_parameter(number_of_rays_t, number_of_rays, number_of_rays)
+        SC_new_parameter(maximum_ray_length_t, maximum_ray_length, maximum_ray_length)
+
     // registration
     SC_new_parameter(source_samples_t, source_samples, source_samples)
         SC_new_parameter(target_samples_t, target_samples, target_samples)
@@ -104,6 +108,20 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                                                     SC_new_parameter(maximum_number_of_samples_t,
                                                                      maximum_number_of_samples,
                                                                      maximum_number_of_samples)
+
+    // screen space
+    SC_new_parameter(min_curvature_map_t, min_curvature_map, min_curvature_map)
+        SC_new_parameter(max_curvature_map_t, max_curvature_map, max_curvature_map)
+            SC_new_parameter(shape_index_map_t, shape_index_map, shape_index_map)
+                SC_new_parameter(number_of_triangles_t, number_of_triangles, number_of_triangles)
+                    SC_new_parameter(level_of_detail_t, level_of_detail, level_of_detail)
+                        SC_new_parameter(depth_discontinuity_rule_t,
+                                         depth_discontinuity_rule,
+                                         depth_discontinuity_rule)
+                            SC_new_parameter(pixel_radius_t, pixel_radius, pixel_radius)
+                                SC_new_parameter(vertex_texture_coordinates_map_t,
+                                                 vertex_texture_coordinates_map,
+                                                 vertex_texture_coordinates_map)
 
     // deformation of heads
     SC_new_parameter(deformed_vertex_point_map_t, deformed_vertex_point_map, deformed_vertex_point_map)

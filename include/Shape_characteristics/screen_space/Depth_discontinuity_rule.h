@@ -1,0 +1,28 @@
+#ifndef SHAPE_CHARACTERISTICS_SCREEN_SPACE_DEPTH_DISCONTINUITY_RULE_H
+#define SHAPE_CHARACTERISTICS_SCREEN_SPACE_DEPTH_DISCONTINUITY_RULE_H
+
+namespace Shape_characteristics {
+
+/*!
+  \ingroup PkgShapeCharacteristicsScreenSpace
+
+  chooses how neighboring pixels are found that belong to different surfaces.
+*/
+enum class Depth_discontinuity_rule : unsigned char
+{
+  /// pixels belong together if both show a surface
+  NONE,
+  /// the thesis's equation 7.13: a neighbor whose window depth differs by more than 1/f, with f the distance of the far plane, at
+  /// least 100, is replaced by that one pixel away. It depends on the unit of length, on the far plane and on the near plane, and pixels next to
+  /// a silhouette keep the neighbor on the other surface.
+  FAR_PLANE,
+  /// ours: points `p`, `q` with normals `m`, `n` belong to different surfaces if the edge `q - p` is long, more than twice the distance of the pixels at that
+  /// depth, and neither lies along the surface: \f$ |(m + n) \cdot (q - p)| > |q - p| / 2 \f$. On a smooth surface the sum vanishes to third order, however
+  /// steeply it is seen, and a crease bends it by no more than the length of a few pixels. A neighbor that is told apart is replaced by that one
+  /// pixel away, and if this one is as well, its triangles are left out. It has no unit.
+  TANGENT_PLANES
+};
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_SCREEN_SPACE_DEPTH_DISCONTINUITY_RULE_H

@@ -1,0 +1,85 @@
+#ifndef SHAPE_CHARACTERISTICS_SCREEN_SPACE_INTERNAL_SCREEN_SPACE_OPTIONS_H
+#define SHAPE_CHARACTERISTICS_SCREEN_SPACE_INTERNAL_SCREEN_SPACE_OPTIONS_H
+
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/screen_space/Camera.h>
+#include <Shape_characteristics/screen_space/Depth_discontinuity_rule.h>
+#include <Shape_characteristics/screen_space/Level_of_detail.h>
+#include <Shape_characteristics/screen_space/Normal_space.h>
+#include <Shape_characteristics/screen_space/internal/Screen_frame.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// The named parameters that the curvature of a screen has on all processors.
+struct Screen_space_options
+{
+  template <typename NamedParameters>
+  explicit Screen_space_options(const NamedParameters& np)
+  {
+    using parameters::choose_parameter;
+    using parameters::get_parameter;
+    number_of_edges = int(choose_parameter(get_parameter(np, internal_np::number_of_edges), 2));
+    number_of_triangles = int(choose_parameter(get_parameter(np, internal_np::number_of_triangles), 4));
+    level_of_detail =
+        choose_parameter(get_parameter(np, internal_np::level_of_detail), Level_of_detail::none());
+    rule = choose_parameter(get_parameter(np, internal_np::depth_discontinuity_rule),
+                            Depth_discontinuity_rule::TANGENT_PLANES);
+    if(number_of_edges != 2 && number_of_edges != 3)
+      throw std::invalid_argument("Shape_characteristics: number_of_edges must be 2 or 3");
+    if(number_of_triangles < 1 || number_of_triangles > 4)
+      throw std::invalid_argument("Shape_characteristics: number_of_triangles must be in [1, 4]");
+  }
+
+  int number_of_edges, number_of_triangles;
+  Level_of_detail level_of_detail = Level_of_detail::none();
+  Depth_discontinuity_rule rule;
+};
+
+// What a pass over the pixels needs of all its parameters.
+struct Screen_space_pass
+{
+  Screen_space_pass(const Screen_space_options& options,
+                    const Camera& camera,
+                    Normal_space normal_space,
+                    int width,
+                    int height)
+    : frame(camera, normal_space, width, height),
+      number_of_edges(options.number_of_edges),
+      number_of_triangles(options.number_of_triangles),
+      rule(options.rule)
+  {
+    if(rule == Depth_discontinuity_rule::FAR_PLANE &&
+       camera.depth_convention() == Depth_convention::EYE_DISTANCE)
+      throw std::invalid_argument(
+          "Shape_characteristics: depth_discontinuity_rule: FAR_PLANE compares window depths, and this "
+          "camera's are distances");
+    largest_step = options.level_of_detail.fill_table(camera, frame.pixel_size, step_table);
+    largest_depth_difference = float(1. / (std::max)(camera.far_plane(), 100.));
+  }
+
+  // how many pixels away the neighbors are
+  int step(float depth) const
+  {
+    int step = 1;
+    while(step < largest_step && frame.depth_sign * depth <= frame.depth_sign * step_table[std::size_t(step)])
+      ++step;
+    return step;
+  }
+
+  Screen_frame frame;
+  int number_of_edges, number_of_triangles;
+  Depth_discontinuity_rule rule;
+  float largest_depth_difference;
+  int largest_step;
+  std::array<float, Level_of_detail::maximum_step> step_table;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_SCREEN_SPACE_INTERNAL_SCREEN_SPACE_OPTIONS_H
