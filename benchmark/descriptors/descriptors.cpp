@@ -1,4 +1,4 @@
-// Point feature histograms, ours and PCL's: points per second on one thread, and whether the values are the same, as a
+// Point feature histograms and SHOT, ours and PCL's: points per second on one thread, and whether the values are the same, as a
 // table in Markdown.
 //
 //   build/benchmark/benchmark/benchmark_descriptors_descriptors [--points 10000] [--neighbours 10,60,150]
@@ -17,6 +17,8 @@
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/Pfh_descriptor.h>
+#include <Shape_characteristics/descriptors/Shot_descriptor.h>
+#include <Shape_characteristics/descriptors/Shot_variant.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
@@ -117,17 +119,25 @@ SC::Descriptor_matrix our_pfh(const Oriented_cloud& cloud, double radius)
   return SC::compute_descriptors<CGAL::Sequential_tag>(descriptor, samples.size());
 }
 
+SC::Descriptor_matrix our_shot(const Oriented_cloud& cloud, double radius)
+{
+  const SC::Point_set_samples samples = samples_of(cloud, radius);
+  const SC::Shot_descriptor<SC::Point_set_samples> descriptor(samples, SC::Shot_variant::PCL);
+  return SC::compute_descriptors<CGAL::Sequential_tag>(descriptor, samples.size());
+}
+
 struct Descriptor
 {
   std::string name;
+  float one_pair; // how much of a value one pair of points in ten thousand may be
   std::function<SC::Descriptor_matrix(const Oriented_cloud&, double)> ours;
   std::function<Peer_result(const Oriented_cloud&, double)> peer;
 };
 
-// the share of the rows that differ by more than one pair in ten thousand would explain, and the median difference
-std::pair<double, double> compare(const SC::Descriptor_matrix& ours, const std::vector<float>& peer)
+// the share of the rows that differ by more than `one_pair`, and the median difference
+std::pair<double, double>
+compare(const SC::Descriptor_matrix& ours, const std::vector<float>& peer, float one_pair)
 {
-  constexpr float one_pair = .05f;
   std::vector<float> differences;
   const std::size_t dimension = std::size_t(ours.values.cols());
   for(std::size_t i = 0; i < ours.status.size(); ++i)
@@ -143,8 +153,8 @@ std::pair<double, double> compare(const SC::Descriptor_matrix& ours, const std::
     return {1., std::numeric_limits<double>::infinity()};
   const auto median = differences.begin() + std::ptrdiff_t(differences.size() / 2);
   std::nth_element(differences.begin(), median, differences.end());
-  const auto different =
-      std::count_if(differences.begin(), differences.end(), [](const float d) { return !(d < one_pair); });
+  const auto different = std::count_if(differences.begin(), differences.end(),
+                                       [one_pair](const float d) { return !(d < one_pair); });
   return {double(different) / double(differences.size()), double(*median)};
 }
 
@@ -154,8 +164,10 @@ int run(const Command_line& arguments)
   const std::size_t points = std::size_t(arguments.number("points", is_quick ? 1000 : 10000, 1));
   const std::uint64_t repetitions = arguments.number("repetitions", is_quick ? 1 : 5, 1);
   const Oriented_cloud cloud = random_cloud(points, arguments.number("seed", 1));
-  const std::vector<Descriptor> all = {{"FPFH", our_fpfh, descriptors::pcl_fpfh},
-                                       {"PFH", our_pfh, descriptors::pcl_pfh}};
+  const std::vector<Descriptor> all = {{"FPFH", .05f, our_fpfh, descriptors::pcl_fpfh},
+                                       {"PFH", .05f, our_pfh, descriptors::pcl_pfh},
+                                       // a unit vector, where the others sum up to 300 and 100
+                                       {"SHOT", 1e-3f, our_shot, descriptors::pcl_shot}};
 
   std::cout << points << " points, one thread, thousands of points per second\n\n"
             << "| descriptor | neighbours | ours | PCL | times faster | other rows | median difference |\n"
@@ -188,7 +200,7 @@ int run(const Command_line& arguments)
       else
       {
         has_peer = true;
-        const auto [share, median] = compare(ours, peer.values);
+        const auto [share, median] = compare(ours, peer.values, descriptor.one_pair);
         is_right = is_right && share < .05 && median < 5e-3;
         std::cout << per_second(peer.seconds) << " | " << peer.seconds / seconds << " | " << 100. * share
                   << " % | " << median << " |\n";

@@ -28,6 +28,7 @@
 #include "parts/goals.h"
 #include "parts/pcl_curvatures.h"
 #include "parts/peak.h"
+#include "parts/plain_thesis.h"
 #include "parts/report.h"
 
 #include <algorithm>
@@ -149,6 +150,10 @@ void compare(Session& session, const Options& options)
     peer.neighbourhood = std::to_string(rings) + " rings";
     session.add(peer, workload, [rings](Workload& w) { cgal_jets(w, rings); });
   }
+  peer.estimator = "HRBF of the thesis, plain";
+  peer.neighbourhood = "2 rings";
+  peer.size = mean_size_of_rings(*workload, 2);
+  session.add(peer, workload, [](Workload& w) { plain_thesis(w, 2); });
   constexpr unsigned int nearest = 18;
   if(const auto pcl = pcl_principal_curvatures(*workload, nearest))
   {

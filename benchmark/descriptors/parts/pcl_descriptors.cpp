@@ -3,17 +3,32 @@
 
 #ifdef SHAPE_CHARACTERISTICS_BENCHMARK_PCL
 
+#include <pcl/console/print.h>
 #include <pcl/features/fpfh.h>
 #include <pcl/features/pfh.h>
+#include <pcl/features/shot.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <iterator>
 
 namespace descriptors {
 namespace {
+
+template <typename Signature>
+const float* values_of(const Signature& s)
+{
+  return s.histogram;
+}
+
+const float* values_of(const pcl::SHOT352& s)
+{
+  return s.descriptor;
+}
 
 template <typename Estimation, typename Signature>
 Peer_result estimate(const Oriented_cloud& cloud, double radius)
@@ -26,6 +41,7 @@ Peer_result estimate(const Oriented_cloud& cloud, double radius)
     points->push_back(pcl::PointXYZ(p[0], p[1], p[2]));
     normals->push_back(pcl::Normal(n[0], n[1], n[2]));
   }
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS); // silent where there is no descriptor
   const auto start = std::chrono::steady_clock::now();
   Estimation estimation;
   estimation.setInputCloud(points);
@@ -37,7 +53,7 @@ Peer_result estimate(const Oriented_cloud& cloud, double radius)
   Peer_result result;
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   for(const Signature& s : signatures)
-    result.values.insert(result.values.end(), s.histogram, s.histogram + Signature::descriptorSize());
+    std::copy_n(values_of(s), Signature::descriptorSize(), std::back_inserter(result.values));
   return result;
 }
 
@@ -55,6 +71,12 @@ Peer_result pcl_pfh(const Oriented_cloud& cloud, double radius)
   return estimate<Estimation, pcl::PFHSignature125>(cloud, radius);
 }
 
+Peer_result pcl_shot(const Oriented_cloud& cloud, double radius)
+{
+  using Estimation = pcl::SHOTEstimation<pcl::PointXYZ, pcl::Normal, pcl::SHOT352>;
+  return estimate<Estimation, pcl::SHOT352>(cloud, radius);
+}
+
 } // namespace descriptors
 
 #else
@@ -67,6 +89,11 @@ Peer_result pcl_fpfh(const Oriented_cloud&, double)
 }
 
 Peer_result pcl_pfh(const Oriented_cloud&, double)
+{
+  return {};
+}
+
+Peer_result pcl_shot(const Oriented_cloud&, double)
 {
   return {};
 }

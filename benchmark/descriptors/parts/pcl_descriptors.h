@@ -26,6 +26,9 @@ struct Peer_result
 /// `pcl::PFHEstimation` with the points within `radius`, by one thread
 [[gnu::visibility("default")]] Peer_result pcl_pfh(const Oriented_cloud& cloud, double radius);
 
+/// `pcl::SHOTEstimation` with the points within `radius`, by one thread
+[[gnu::visibility("default")]] Peer_result pcl_shot(const Oriented_cloud& cloud, double radius);
+
 } // namespace descriptors
 
 #endif // SHAPE_CHARACTERISTICS_BENCHMARK_DESCRIPTORS_PCL_DESCRIPTORS_H

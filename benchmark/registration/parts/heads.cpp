@@ -127,6 +127,18 @@ bool read(std::istream& in, std::vector<T>& values)
   return bool(in.read(reinterpret_cast<char*>(values.data()), std::streamsize(size * sizeof(T))));
 }
 
+// the sums of twice the areas of the first triangles: of none, of one, of two ...
+std::vector<double> summed_areas(const Scan& mesh)
+{
+  std::vector<double> areas(1, 0.);
+  for(const auto& t : mesh.triangles)
+  {
+    const Eigen::Vector3d a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
+    areas.push_back(areas.back() + (b - a).cross(c - a).norm());
+  }
+  return areas;
+}
+
 bool read_from_cache(const std::string& file, Head& head)
 {
   std::ifstream in(file, std::ios::binary);
@@ -214,22 +226,16 @@ Head read_head(const std::string& file,
   return head;
 }
 
-Scan poisson_disc_points(const Scan& mesh, std::size_t number, std::uint64_t seed)
+Scan random_points(const Scan& mesh, std::size_t number, std::uint64_t seed)
 {
-  // random points, by area
   Random random(seed);
-  std::vector<double> area(1, 0.);
-  for(const auto& t : mesh.triangles)
+  const std::vector<double> areas = summed_areas(mesh);
+  Scan result;
+  while(result.points.size() < number)
   {
-    const Eigen::Vector3d a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
-    area.push_back(area.back() + (b - a).cross(c - a).norm());
-  }
-  std::vector<Point_3> points;
-  Points normals;
-  while(points.size() < 3 * number)
-  {
-    const auto chosen = std::upper_bound(area.begin() + 1, area.end() - 1, random.uniform(0., area.back()));
-    const auto& t = mesh.triangles[std::size_t(chosen - area.begin()) - 1];
+    const auto chosen =
+        std::upper_bound(areas.begin() + 1, areas.end() - 1, random.uniform(0., areas.back()));
+    const auto& t = mesh.triangles[std::size_t(chosen - areas.begin()) - 1];
     double u = random.uniform(), v = random.uniform();
     if(u + v > 1.)
     {
@@ -237,28 +243,34 @@ Scan poisson_disc_points(const Scan& mesh, std::size_t number, std::uint64_t see
       v = 1. - v;
     }
     const Eigen::Vector3d a = mesh.points[t[0]], b = mesh.points[t[1]], c = mesh.points[t[2]];
-    points.push_back(to_cgal(a + u * (b - a) + v * (c - a)));
-    normals.push_back((b - a).cross(c - a).normalized());
+    result.points.push_back(a + u * (b - a) + v * (c - a));
+    result.normals.push_back((b - a).cross(c - a).normalized());
   }
+  return result;
+}
+
+Scan poisson_disc_points(const Scan& mesh, std::size_t number, std::uint64_t seed)
+{
+  const Scan points = random_points(mesh, 3 * number, seed);
 
   // The one with the most and nearest neighbors goes, again and again.
-  const double radius = std::sqrt(2. * area.back() / 2. / (std::sqrt(3.) * double(number)));
-  const SC::Point_set_samples samples(points, CGAL::Identity_property_map<Point_3>(),
+  const double radius = std::sqrt(summed_areas(mesh).back() / (std::sqrt(3.) * double(number)));
+  const SC::Point_set_samples samples(points.points, CGAL::Identity_property_map<Eigen::Vector3d>(),
                                       SC::Neighborhood::ball(radius));
   SC::Point_set_samples::Workspace workspace;
   const auto weight_of = [&](const std::size_t i, const std::size_t j)
   { return std::pow(1. - (samples.point(i) - samples.point(j)).norm() / radius, 8); };
-  std::vector<double> weight(points.size(), 0.);
+  std::vector<double> weight(samples.size(), 0.);
   using Entry = std::pair<double, std::size_t>;
   std::priority_queue<Entry> queue;
-  for(std::size_t i = 0; i < points.size(); ++i)
+  for(std::size_t i = 0; i < samples.size(); ++i)
   {
     for(const auto j : samples.neighbors(i, 0, workspace))
       weight[i] += weight_of(i, j);
     queue.emplace(weight[i], i);
   }
-  std::vector<bool> is_out(points.size(), false);
-  for(std::size_t left = points.size(); left > number;)
+  std::vector<bool> is_out(samples.size(), false);
+  for(std::size_t left = samples.size(); left > number;)
   {
     const Entry e = queue.top();
     queue.pop();
@@ -275,11 +287,11 @@ Scan poisson_disc_points(const Scan& mesh, std::size_t number, std::uint64_t see
       weight[j] -= weight_of(e.second, j);
   }
   Scan result;
-  for(std::size_t i = 0; i < points.size(); ++i)
+  for(std::size_t i = 0; i < samples.size(); ++i)
     if(!is_out[i])
     {
-      result.points.push_back(samples.point(i));
-      result.normals.push_back(normals[i]);
+      result.points.push_back(points.points[i]);
+      result.normals.push_back(points.normals[i]);
     }
   return result;
 }

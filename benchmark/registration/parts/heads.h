@@ -35,6 +35,9 @@ Head read_head(const std::string& file,
                std::uint64_t seed,
                const std::string& cache);
 
+/// `number` points of the surface of a mesh with the normals of their triangles, at random
+Scan random_points(const Scan& mesh, std::size_t number, std::uint64_t seed);
+
 /// `number` points of the surface of a mesh with the normals of their triangles, spread as evenly as a Poisson-disc
 /// pattern, drawn by eliminating the most crowded of three times as many random ones (Yuksel 2015)
 Scan poisson_disc_points(const Scan& mesh, std::size_t number, std::uint64_t seed);
