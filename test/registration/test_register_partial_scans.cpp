@@ -239,8 +239,10 @@ BOOST_AUTO_TEST_CASE(two_parts)
   BOOST_TEST(quality.agreement == result.quality.agreement, boost::test_tools::tolerance(.02));
   BOOST_TEST(quality.curvature_correlation > .5);
   BOOST_TEST(quality.opposition < .01);
+  BOOST_TEST(quality.penetration < .2);
   const SC::Registration_quality wrong = SC::assess_registration(s, t, Eigen::Isometry3d::Identity());
   BOOST_TEST(wrong.agreement < .2);
+  BOOST_TEST(wrong.penetration > .2);
 }
 
 BOOST_AUTO_TEST_CASE(units_and_places)
@@ -264,6 +266,48 @@ BOOST_AUTO_TEST_CASE(units_and_places)
   const Result result = registered(s, t);
   BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
   BOOST_TEST(error(s, result.transformation, away * to_eigen(reference.transformation)) < 1e-5);
+}
+
+BOOST_AUTO_TEST_CASE(starts_and_seeds)
+{
+  const Scan target = left_part(1), source = right_part(2);
+  const Result reference = registered(moved(source, some_motion()), target);
+  BOOST_TEST(int(reference.verdict) == int(Registration_verdict::SUCCESS));
+  const Eigen::Affine3d right = to_eigen(reference.transformation) * some_motion();
+  for(const double angle : {0., 1.5, 3.})
+  {
+    Eigen::Affine3d start(Eigen::AngleAxisd(angle, Vector3d(1., -2., .5).normalized()));
+    start.translation() = Vector3d(3. * angle, -1., 2.);
+    const Scan s = moved(source, start);
+    for(const int seed : {0, 7, 123456})
+    {
+      const Result result =
+          SC::register_partial_scans<CGAL::Sequential_tag>(s, target, maps().random_seed(seed), maps());
+      BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
+      BOOST_TEST(error(s, result.transformation, right * start.inverse()) < 1e-6);
+    }
+  }
+}
+
+// One plane beneath the other by a spacing: the points of one are beneath, those of the other are not.
+BOOST_AUTO_TEST_CASE(planes_beneath_each_other)
+{
+  SC::Oriented_points points;
+  for(int i = 0; i < 30; ++i)
+    for(int j = 0; j < 30; ++j)
+    {
+      points.points.push_back({double(i), double(j), 0.});
+      points.normals.push_back({0., 0., 1.});
+    }
+  for(const double height : {-1., -.1, 0., .1, 1.})
+  {
+    const SC::Registration_quality quality =
+        SC::assess_registration(points, points, Eigen::Isometry3d(Eigen::Translation3d(0., 0., height)));
+    BOOST_TEST(quality.overlap == 1.);
+    BOOST_TEST(quality.penetration == (std::abs(height) < .5 ? 0. : .5));
+    BOOST_TEST(quality.agreement == (std::abs(height) < .5 ? 1. : 0.));
+    BOOST_TEST(quality.opposition == 0.);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(the_same_scan_twice)

@@ -27,6 +27,9 @@ struct Registration_quality
   /// the share of the near points where the surfaces cross or turn their backs to each other, in [0, 1]: normals are more than
   /// 90 degrees apart
   double opposition = 0.;
+  /// the share of the near points that lie beneath the other scan, in [0, 1]: more than .35 spacings under its tangent plane.
+  /// What two scans of one solid have beneath each other is noise.
+  double penetration = 0.;
   /// number of near points
   std::size_t number_of_near_points = 0;
 };

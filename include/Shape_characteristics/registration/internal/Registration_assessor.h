@@ -50,6 +50,7 @@ public:
     {
       quality.agreement = double(counts.meeting) / double(counts.near);
       quality.opposition = double(counts.opposed) / double(counts.near);
+      quality.penetration = double(counts.beneath) / double(counts.near);
       quality.curvature_correlation = counts.correlation();
     }
     return quality;
@@ -135,7 +136,7 @@ private:
 
   struct Counts
   {
-    std::size_t usable = 0, near = 0, meeting = 0, opposed = 0;
+    std::size_t usable = 0, near = 0, meeting = 0, opposed = 0, beneath = 0;
     std::vector<std::array<double, 2>> curvatures;
 
     // of ranks: a few creases, where curvatures are as large as the sampling is fine, would rule otherwise
@@ -215,6 +216,8 @@ private:
         ++counts.meeting;
       if(cosine < 0.)
         ++counts.opposed;
+      if(height < -s_meeting * m_spacing)
+        ++counts.beneath;
       counts.curvatures.push_back({from.curvatures[i], to.curvatures[j]});
     }
   }
