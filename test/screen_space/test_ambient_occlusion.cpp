@@ -1,21 +1,42 @@
 #define BOOST_TEST_MODULE ambient_occlusion
 #include <boost/test/unit_test.hpp>
 
+#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/screen_space/Camera.h>
+#include <Shape_characteristics/screen_space/G_buffer.h>
 #include <Shape_characteristics/screen_space/Griffin_ambient_occlusion.h>
 #include <Shape_characteristics/screen_space/Hattori_ambient_occlusion.h>
 #include <Shape_characteristics/screen_space/Two_part_ambient_occlusion.h>
+#include <Shape_characteristics/screen_space/ambient_occlusion.h>
+#include <Shape_characteristics/screen_space/mean_curvature_extreme.h>
+#include <Shape_characteristics/screen_space/ray_cast_ambient_occlusion.h>
+#include <Shape_characteristics/screen_space/screen_space_curvatures.h>
+
+#include "build_face_graph.h"
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/property_map.h>
+#include <CGAL/subdivision_method_3.h>
+#include <CGAL/tags.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 namespace {
 
@@ -152,4 +173,281 @@ BOOST_AUTO_TEST_CASE(wrong_arguments)
     BOOST_CHECK_THROW(SC::Two_part_ambient_occlusion(1., wrong), std::invalid_argument);
   BOOST_CHECK_THROW(SC::Two_part_ambient_occlusion(1., .9, .2, infinity), std::invalid_argument);
   BOOST_CHECK_THROW(SC::Griffin_ambient_occlusion(1., quiet_nan), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(extreme_of_a_picture)
+{
+  std::vector<float> picture(110, std::numeric_limits<float>::quiet_NaN()); // nine without an estimate
+  for(int i = 0; i <= 100; ++i)
+    picture[std::size_t(i)] = i % 2 ? float(i) : -float(i);
+  picture[105] = std::numeric_limits<float>::infinity();
+  BOOST_TEST(SC::mean_curvature_extreme(picture) == 95);
+  BOOST_TEST(SC::mean_curvature_extreme(picture, 1.) == 100);
+  BOOST_TEST(SC::mean_curvature_extreme(picture, 0.) == 0);
+  BOOST_TEST(SC::mean_curvature_extreme(std::vector<double>(3, quiet_nan)) == 0);
+  BOOST_TEST(SC::mean_curvature_extreme(std::vector<double>()) == 0);
+  for(const double wrong : {-0.1, 1.1, quiet_nan})
+    BOOST_CHECK_THROW(SC::mean_curvature_extreme(picture, wrong), std::invalid_argument);
+}
+
+namespace {
+
+auto into(std::vector<float>& light)
+{
+  return SC::parameters::ambient_occlusion_map(CGAL::make_property_map(light));
+}
+
+// what a camera sees: arrays and the G-buffer that wraps them
+struct Picture
+{
+  int width, height;
+  SC::Camera camera;
+  std::vector<float> depths, normals;
+
+  Picture(int w, int h, const SC::Camera& c)
+    : width(w),
+      height(h),
+      camera(c),
+      depths(std::size_t(w * h), 0.f),
+      normals(std::size_t(3 * w * h), 0.f)
+  {}
+
+  void set(int x, int y, double depth, const Eigen::Vector3d& normal)
+  {
+    const std::size_t i = std::size_t(y * width + x);
+    depths[i] = float(depth);
+    for(int k = 0; k < 3; ++k)
+      normals[3 * i + std::size_t(k)] = float(normal[k]);
+  }
+
+  SC::G_buffer g_buffer() const { return {width, height, depths.data(), normals.data(), camera}; }
+};
+
+// from above, parallel: the square [-1, 1]^2 on the plane z = 0, whose points have all the depth 10
+Picture plane_from_above(double unit = 1)
+{
+  const SC::Camera camera(SC::Camera::look_at({0, 0, 10 * unit}, {0, 0, 0}, {0, 1, 0}),
+                          SC::Camera::orthographic(2 * unit, 1, unit, 20 * unit),
+                          SC::Depth_convention::EYE_DISTANCE);
+  Picture picture(16, 16, camera);
+  for(int y = 0; y < 16; ++y)
+    for(int x = 0; x < 16; ++x)
+      picture.set(x, y, 10 * unit, {0, 0, 1});
+  return picture;
+}
+
+// a floor, and a wall that stands on it along x = 1
+Mesh floor_and_wall(double height, double unit = 1)
+{
+  const double far = 1e4;
+  std::vector<std::array<double, 3>> points = {{-far, -far, 0}, {1, -far, 0},      {1, far, 0},
+                                               {-far, far, 0},  {1, -far, height}, {1, far, height}};
+  for(auto& p : points)
+    for(double& x : p)
+      x *= unit;
+  // the wall doesn't share the floor's vertices
+  points.push_back(points[1]);
+  points.push_back(points[2]);
+  const std::vector<std::vector<std::size_t>> faces = {{0, 1, 2, 3}, {6, 4, 5, 7}};
+  return benchmark_support::build_face_graph<Mesh>(points, faces);
+}
+
+Mesh ball(double radius, int subdivisions)
+{
+  Mesh mesh;
+  CGAL::make_icosahedron<Mesh, Kernel::Point_3>(mesh);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(subdivisions));
+  for(const auto v : mesh.vertices())
+  {
+    const auto p = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = CGAL::ORIGIN + radius / std::sqrt(p.squared_length()) * p;
+  }
+  return mesh;
+}
+
+} // namespace
+
+// an endless wall of height h at the distance d hides the share (1 - d / sqrt(d^2 + h^2)) / 2
+BOOST_AUTO_TEST_CASE(rays_beside_a_wall)
+{
+  const Picture picture = plane_from_above();
+  const SC::G_buffer g_buffer = picture.g_buffer();
+  for(const double height : {0.5, 2.})
+  {
+    const Mesh mesh = floor_and_wall(height);
+    std::vector<float> light(g_buffer.size());
+    BOOST_TEST(SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light).number_of_rays(1000)) == 0u);
+    double largest = 0;
+    for(std::size_t i = 0; i < light.size(); ++i)
+    {
+      const double d = 1 - (-1 + (double(i % 16) + .5) / 8);
+      const double expected = 1 - (1 - d / std::hypot(d, height)) / 2;
+      largest = std::max(largest, std::abs(light[i] - expected));
+    }
+    BOOST_TEST_MESSAGE("largest error beside a wall: " << largest);
+    BOOST_TEST(largest < 0.01);
+  }
+}
+
+// within a ball of radius R, rays of the length l at the most leave unhindered where 2 R cos(angle) > l: the share 1 - (l / 2R)^2
+BOOST_AUTO_TEST_CASE(rays_within_a_ball)
+{
+  const double radius = 2;
+  const Mesh mesh = ball(radius, 5);
+  const SC::Camera camera(Eigen::Matrix4d::Identity(), SC::Camera::perspective(1., 1., .1, 10.),
+                          SC::Depth_convention::EYE_DISTANCE);
+  Picture picture(8, 8, camera);
+  for(int y = 0; y < 8; ++y)
+    for(int x = 0; x < 8; ++x)
+    {
+      const Eigen::Vector3d direction = camera.view_point(x + .5, y + .5, 1., 8, 8).normalized();
+      picture.set(x, y, -radius * direction.z(), -direction);
+    }
+  const SC::G_buffer g_buffer = picture.g_buffer();
+  std::vector<float> light(g_buffer.size());
+  for(const double length : {0.5, 2., 3.5})
+  {
+    BOOST_TEST(SC::ray_cast_ambient_occlusion(
+                   mesh, g_buffer, into(light).number_of_rays(1000).maximum_ray_length(length)) == 0u);
+    const double expected = 1 - length * length / (4 * radius * radius);
+    for(const float value : light)
+      BOOST_TEST(std::abs(double(value) - expected) < 0.01);
+  }
+  SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light));
+  for(const float value : light)
+    BOOST_TEST(value == 0);
+}
+
+// the faces of a coarse ball aren't in each other's way, and interpolated normals don't put them there
+BOOST_AUTO_TEST_CASE(rays_from_a_coarse_ball_meet_nothing)
+{
+  const Mesh mesh = ball(1, 1);
+  const SC::Camera camera(SC::Camera::look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}),
+                          SC::Camera::orthographic(1.2, 1, 1, 20), SC::Depth_convention::EYE_DISTANCE);
+  Picture picture(16, 16, camera);
+  for(int y = 0; y < 16; ++y)
+    for(int x = 0; x < 16; ++x)
+    {
+      const Eigen::Vector3d p = camera.world_point(camera.view_point(x + .5, y + .5, 5., 16, 16));
+      const double z = std::sqrt(std::max(0., 1 - p.x() * p.x() - p.y() * p.y()));
+      picture.set(x, y, 5 - z * .98, {p.x(), p.y(), z});
+    }
+  const SC::G_buffer g_buffer = picture.g_buffer();
+  std::vector<float> light(g_buffer.size());
+  SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light));
+  std::size_t found = 0;
+  for(const double value : light)
+    if(!std::isnan(value))
+    {
+      BOOST_TEST(value == 1);
+      ++found;
+    }
+  BOOST_TEST(found > light.size() / 4);
+}
+
+BOOST_AUTO_TEST_CASE(rays_do_not_depend_on_threads_or_unit)
+{
+  std::vector<float> in_turn(256), parallel(256), scaled(256);
+  const SC::G_buffer none;
+  const Picture picture = plane_from_above();
+  SC::ray_cast_ambient_occlusion<CGAL::Sequential_tag>(floor_and_wall(1), picture.g_buffer(), into(in_turn));
+  SC::ray_cast_ambient_occlusion(floor_and_wall(1), picture.g_buffer(), into(parallel));
+  BOOST_TEST(in_turn == parallel, boost::test_tools::per_element());
+  for(const double unit : {0x1p-20, 0x1p20})
+  {
+    const Picture of_unit = plane_from_above(unit);
+    SC::ray_cast_ambient_occlusion(floor_and_wall(1, unit), of_unit.g_buffer(), into(scaled));
+    BOOST_TEST(in_turn == scaled, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(rays_and_bad_inputs)
+{
+  const Mesh mesh = floor_and_wall(1);
+  Picture picture = plane_from_above();
+  picture.set(0, 0, infinity, {0, 0, 1});   // the background
+  picture.set(1, 0, quiet_nan, {0, 0, 1});  // no depth
+  picture.set(2, 0, 10, {quiet_nan, 0, 1}); // no normal
+  picture.set(3, 0, 10, {0, 0, 0});         // the same
+  picture.set(4, 0, 10 + 5e3, {0, 0, 1});   // not of this mesh
+  const SC::G_buffer g_buffer = picture.g_buffer();
+  std::vector<float> light(g_buffer.size());
+  BOOST_TEST(SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light)) == 1u);
+  for(std::size_t i = 0; i < light.size(); ++i)
+    BOOST_TEST(std::isnan(light[i]) == (i < 5));
+
+  // no pixels, no mesh, one without an area
+  std::vector<float> no_light;
+  BOOST_TEST(SC::ray_cast_ambient_occlusion(mesh, SC::G_buffer(), into(no_light)) == 0u);
+  BOOST_TEST(SC::ray_cast_ambient_occlusion(Mesh(), g_buffer, into(light)) == 252u);
+  Mesh needle;
+  needle.add_face(needle.add_vertex({0, 0, 0}), needle.add_vertex({1, 0, 0}), needle.add_vertex({2, 0, 0}));
+  BOOST_TEST(SC::ray_cast_ambient_occlusion(needle, g_buffer, into(light)) == 252u);
+  // what isn't finite is left out
+  Mesh broken = mesh;
+  broken.add_face(broken.add_vertex({0, 0, quiet_nan}), broken.add_vertex({1, 0, 0}),
+                  broken.add_vertex({0, 1, infinity}));
+  std::vector<float> same(light.size());
+  BOOST_TEST(SC::ray_cast_ambient_occlusion(broken, g_buffer, into(same)) == 1u);
+  SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light));
+  for(std::size_t i = 5; i < light.size(); ++i)
+    BOOST_TEST(same[i] == light[i]);
+
+  BOOST_CHECK_THROW(SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light).number_of_rays(0)),
+                    std::invalid_argument);
+  for(const double wrong : {0., -1., quiet_nan})
+    BOOST_CHECK_THROW(SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light).maximum_ray_length(wrong)),
+                      std::invalid_argument);
+
+  // a callback that stops
+  BOOST_TEST(SC::ray_cast_ambient_occlusion<CGAL::Sequential_tag>(
+                 mesh, g_buffer, into(light).callback([](double) { return false; })) > 100u);
+}
+
+// the function is what its parts are, one after the other
+BOOST_AUTO_TEST_CASE(light_from_curvature_of_a_picture)
+{
+  const SC::Camera camera(SC::Camera::look_at({0, 0, 5}, {0, 0, 0}, {0, 1, 0}),
+                          SC::Camera::perspective(.5, 1, 1, 20), SC::Depth_convention::EYE_DISTANCE);
+  Picture picture(48, 40, camera); // a wavy surface
+  for(int y = 0; y < 40; ++y)
+    for(int x = 0; x < 44; ++x)
+      picture.set(x, y, 5 + .1 * std::sin(.3 * x) * std::cos(.2 * y),
+                  {.6 * std::cos(.3 * x), .4 * std::sin(.2 * y), 1.});
+  const SC::G_buffer g_buffer = picture.g_buffer();
+  std::vector<float> k_min(g_buffer.size()), k_max(k_min), light(k_min), in_turn(k_min), mean(k_min);
+  SC::screen_space_curvatures(g_buffer, SC::parameters::min_curvature_map(CGAL::make_property_map(k_min))
+                                            .max_curvature_map(CGAL::make_property_map(k_max))
+                                            .mean_curvature_map(CGAL::make_property_map(mean))
+                                            .number_of_triangles(2));
+  const auto check = [&](const auto& mapping)
+  {
+    for(std::size_t i = 0; i < light.size(); ++i)
+      if(i % 48 >= 44)
+        BOOST_TEST(std::isnan(light[i]));
+      else
+        BOOST_TEST(light[i] == float(mapping(Foreign{k_min[i], k_max[i]})));
+    BOOST_TEST(std::equal(light.begin(), light.end(), in_turn.begin(),
+                          [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }));
+  };
+  const SC::Hattori_ambient_occlusion Hattori(.4);
+  BOOST_TEST(SC::ambient_occlusion(
+                 g_buffer, into(light).number_of_triangles(2).ambient_occlusion_mapping(Hattori)) == 0u);
+  SC::ambient_occlusion<CGAL::Sequential_tag>(
+      g_buffer, into(in_turn).number_of_triangles(2).ambient_occlusion_mapping(Hattori));
+  check(Hattori);
+  SC::ambient_occlusion(g_buffer, into(light).number_of_triangles(2));
+  SC::ambient_occlusion<CGAL::Sequential_tag>(g_buffer, into(in_turn).number_of_triangles(2));
+  check(SC::Two_part_ambient_occlusion(SC::mean_curvature_extreme(mean)));
+
+  // a plane is flat, and nothing has no light
+  const Picture plane = plane_from_above();
+  std::vector<float> flat(256), nothing;
+  SC::ambient_occlusion(plane.g_buffer(), into(flat));
+  for(const float value : flat)
+    BOOST_TEST(value == 0.9f);
+  BOOST_TEST(SC::ambient_occlusion(SC::G_buffer(), into(nothing)) == 0u);
+  BOOST_TEST(SC::ambient_occlusion(plane.g_buffer()) == 0u);
+  BOOST_CHECK_THROW(SC::ambient_occlusion(plane.g_buffer(), into(flat).number_of_triangles(5)),
+                    std::invalid_argument);
 }

@@ -80,8 +80,10 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                             SC_new_parameter(signal_scaling_t, signal_scaling, signal_scaling)
 
     // ambient occlusion
-    SC_new_parameter(number_of_rays_t, number_of_rays, number_of_rays)
-        SC_new_parameter(maximum_ray_length_t, maximum_ray_length, maximum_ray_length)
+    SC_new_parameter(ambient_occlusion_map_t, ambient_occlusion_map, ambient_occlusion_map)
+        SC_new_parameter(ambient_occlusion_mapping_t, ambient_occlusion_mapping, ambient_occlusion_mapping)
+            SC_new_parameter(number_of_rays_t, number_of_rays, number_of_rays)
+                SC_new_parameter(maximum_ray_length_t, maximum_ray_length, maximum_ray_length)
 
     // registration
     SC_new_parameter(source_samples_t, source_samples, source_samples)
