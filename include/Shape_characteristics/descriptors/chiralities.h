@@ -43,27 +43,9 @@ chiralities_of(const SampledSurface& surface, Sample_curvatures curvatures, cons
 
   \cgalNamedParamsBegin
     \scMeshInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_rings}
-      \cgalParamDescription{the size of the neighborhood, in edges, if there is no radius}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`2`}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_principal_curvatures_and_directions_map}
-      \cgalParamDescription{the principal curvatures of the vertices, which are read here}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `Principal_curvatures_and_directions<GeomTraits>` or the type
-                     of the same name of \cgal 6}
-      \cgalParamDefault{estimated by `rusinkiewicz_curvatures()`}
-    \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the vertices, in the order of `vertices(mesh)`, whose chiralities are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all vertices}
-    \cgalParamNEnd
+    \scMeshNeighborhoodParameters
+    \scCurvatureInputOfMeshParameter
+    \scDescriptorSamplesParameter{vertices}
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -101,27 +83,9 @@ Descriptor_matrix chiralities(const FaceGraph& mesh, const NamedParameters& np =
 
   \cgalNamedParamsBegin
     \scPointSetInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_neighbors}
-      \cgalParamDescription{the size of the neighborhood, if there is no radius: as many nearest points}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`18`}
-    \cgalParamNEnd
-    \cgalParamNBegin{principal_curvatures_and_directions_map}
-      \cgalParamDescription{the principal curvatures of the points, which are read here}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `Principal_curvatures_and_directions<GeomTraits>` or the type
-                     of the same name of \cgal 6}
-      \cgalParamDefault{estimated by `hrbf_curvatures()` with its default neighborhood, each point by itself}
-    \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the points whose chiralities are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all points}
-    \cgalParamNEnd
+    \scPointSetNeighborhoodParameters
+    \scCurvatureInputOfPointSetParameter
+    \scDescriptorSamplesParameter{points}
     \scCallbackParameter
   \cgalNamedParamsEnd
 

@@ -75,11 +75,7 @@ Descriptor_matrix fpfh_descriptors_of(const SampledSurface& surface, const Named
       \cgalParamType{`Fpfh_variant`}
       \cgalParamDefault{`Fpfh_variant::PCL`}
     \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the vertices that are described, in the order of `vertices(mesh)`, a row for each}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all vertices}
-    \cgalParamNEnd
+    \scDescriptorSamplesParameter{vertices}
     \cgalParamNBegin{number_of_rings}
       \cgalParamDescription{the size of the neighborhood, in edges}
       \cgalParamType{`unsigned int`}
@@ -133,11 +129,7 @@ Descriptor_matrix fpfh_descriptors(const FaceGraph& mesh,
       \cgalParamType{`Fpfh_variant`}
       \cgalParamDefault{`Fpfh_variant::PCL`}
     \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the points that are described, a row for each}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all points}
-    \cgalParamNEnd
+    \scDescriptorSamplesParameter{points}
     \cgalParamNBegin{number_of_neighbors}
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}

@@ -32,11 +32,7 @@ namespace Shape_characteristics {
 
   \cgalNamedParamsBegin
     \scMeshInputParameters
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the vertices that are described, in the order of `vertices(mesh)`, a row for each}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all vertices}
-    \cgalParamNEnd
+    \scDescriptorSamplesParameter{vertices}
     \cgalParamNBegin{number_of_rings}
       \cgalParamDescription{the size of the neighborhood, in edges}
       \cgalParamType{`unsigned int`}
@@ -86,11 +82,7 @@ Descriptor_matrix pfh_descriptors(const FaceGraph& mesh,
 
   \cgalNamedParamsBegin
     \scPointSetInputParameters
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the points that are described, a row for each}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all points}
-    \cgalParamNEnd
+    \scDescriptorSamplesParameter{points}
     \cgalParamNBegin{number_of_neighbors}
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}

@@ -60,11 +60,7 @@ Descriptor_matrix shot_descriptors_of(const SampledSurface& surface, const Named
       \cgalParamType{`Shot_variant`}
       \cgalParamDefault{`Shot_variant::PAPER`}
     \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the vertices, in the order of `vertices(mesh)`, whose descriptors are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all vertices}
-    \cgalParamNEnd
+    \scDescriptorSamplesParameter{vertices}
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -116,11 +112,7 @@ Descriptor_matrix shot_descriptors(const FaceGraph& mesh,
       \cgalParamType{`Shot_variant`}
       \cgalParamDefault{`Shot_variant::PAPER`}
     \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the points whose descriptors are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all points}
-    \cgalParamNEnd
+    \scDescriptorSamplesParameter{points}
     \scCallbackParameter
   \cgalNamedParamsEnd
 

@@ -51,37 +51,15 @@ signed_volumes_of(const SampledSurface& surface, Sample_curvatures curvatures, c
 
   \cgalNamedParamsBegin
     \scMeshInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_rings}
-      \cgalParamDescription{the size of the neighborhood, in edges, if there is no radius}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`2`}
-    \cgalParamNEnd
-    \cgalParamNBegin{vertex_principal_curvatures_and_directions_map}
-      \cgalParamDescription{the principal curvatures of the vertices, which are read here}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `Principal_curvatures_and_directions<GeomTraits>` or the type
-                     of the same name of \cgal 6}
-      \cgalParamDefault{estimated by `rusinkiewicz_curvatures()`}
-    \cgalParamNEnd
+    \scMeshNeighborhoodParameters
+    \scCurvatureInputOfMeshParameter
     \cgalParamNBegin{signed_volume_method}
       \cgalParamDescription{what spans the volumes}
       \cgalParamType{`Signed_volume_method`}
       \cgalParamDefault{`Signed_volume_method::EXTREMA`}
     \cgalParamNEnd
-    \cgalParamNBegin{signal_scaling}
-      \cgalParamDescription{whether the values are free of units, or in the unit of the thesis's formula}
-      \cgalParamType{`Signal_scaling`}
-      \cgalParamDefault{`Signal_scaling::UNIT_FREE`}
-    \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the vertices, in the order of `vertices(mesh)`, whose volumes are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all vertices}
-    \cgalParamNEnd
+    \scSignalScalingParameter
+    \scDescriptorSamplesParameter{vertices}
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -120,37 +98,15 @@ Descriptor_matrix signed_volumes(const FaceGraph& mesh,
 
   \cgalNamedParamsBegin
     \scPointSetInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_neighbors}
-      \cgalParamDescription{the size of the neighborhood, if there is no radius: as many nearest points}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`18`}
-    \cgalParamNEnd
-    \cgalParamNBegin{principal_curvatures_and_directions_map}
-      \cgalParamDescription{the principal curvatures of the points, which are read here}
-      \cgalParamType{a model of `ReadablePropertyMap` with value type `Principal_curvatures_and_directions<GeomTraits>` or the type
-                     of the same name of \cgal 6}
-      \cgalParamDefault{estimated by `hrbf_curvatures()` with its default neighborhood, each point by itself}
-    \cgalParamNEnd
+    \scPointSetNeighborhoodParameters
+    \scCurvatureInputOfPointSetParameter
     \cgalParamNBegin{signed_volume_method}
       \cgalParamDescription{what spans the volumes}
       \cgalParamType{`Signed_volume_method`}
       \cgalParamDefault{`Signed_volume_method::EXTREMA`}
     \cgalParamNEnd
-    \cgalParamNBegin{signal_scaling}
-      \cgalParamDescription{whether the values are free of units, or in the unit of the thesis's formula}
-      \cgalParamType{`Signal_scaling`}
-      \cgalParamDefault{`Signal_scaling::UNIT_FREE`}
-    \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the points whose volumes are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all points}
-    \cgalParamNEnd
+    \scSignalScalingParameter
+    \scDescriptorSamplesParameter{points}
     \scCallbackParameter
   \cgalNamedParamsEnd
 

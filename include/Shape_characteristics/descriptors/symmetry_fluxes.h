@@ -76,16 +76,7 @@ symmetry_fluxes_of(const SampledSurface& surface, std::vector<double> areas, con
 
   \cgalNamedParamsBegin
     \scMeshInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_rings}
-      \cgalParamDescription{the size of the neighborhood, in edges, if there is no radius}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`2`}
-    \cgalParamNEnd
+    \scMeshNeighborhoodParameters
     \cgalParamNBegin{flux_method}
       \cgalParamDescription{over what the flux is summed}
       \cgalParamType{`Flux_method`}
@@ -97,16 +88,8 @@ symmetry_fluxes_of(const SampledSurface& surface, std::vector<double> areas, con
       \cgalParamType{a model of `ReadablePropertyMap` with a number type as value type}
       \cgalParamDefault{all alike}
     \cgalParamNEnd
-    \cgalParamNBegin{signal_scaling}
-      \cgalParamDescription{whether the values are free of units, or in the unit of the thesis's formula}
-      \cgalParamType{`Signal_scaling`}
-      \cgalParamDefault{`Signal_scaling::UNIT_FREE`}
-    \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the vertices, in the order of `vertices(mesh)`, whose fluxes are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all vertices}
-    \cgalParamNEnd
+    \scSignalScalingParameter
+    \scDescriptorSamplesParameter{vertices}
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -148,31 +131,14 @@ Descriptor_matrix symmetry_fluxes(const FaceGraph& mesh,
 
   \cgalNamedParamsBegin
     \scPointSetInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_neighbors}
-      \cgalParamDescription{the size of the neighborhood, if there is no radius: as many nearest points}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`18`}
-    \cgalParamNEnd
+    \scPointSetNeighborhoodParameters
     \cgalParamNBegin{area_map}
       \cgalParamDescription{the areas that the points stand for in a sum over points}
       \cgalParamType{a model of `ReadablePropertyMap` with a number type as value type}
       \cgalParamDefault{all alike}
     \cgalParamNEnd
-    \cgalParamNBegin{signal_scaling}
-      \cgalParamDescription{whether the values are free of units, or in the unit of the thesis's formula}
-      \cgalParamType{`Signal_scaling`}
-      \cgalParamDefault{`Signal_scaling::UNIT_FREE`}
-    \cgalParamNEnd
-    \cgalParamNBegin{descriptor_samples}
-      \cgalParamDescription{the numbers of the points whose fluxes are computed}
-      \cgalParamType{a range of integers}
-      \cgalParamDefault{all points}
-    \cgalParamNEnd
+    \scSignalScalingParameter
+    \scDescriptorSamplesParameter{points}
     \scCallbackParameter
   \cgalNamedParamsEnd
 
