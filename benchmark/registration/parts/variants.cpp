@@ -120,6 +120,14 @@ double mirrored_share(const Split& split, const std::vector<Correspondence>& inl
   return inliers.empty() ? 0. : double(mirrored) / double(inliers.size());
 }
 
+void add_quality(Trial_result& result, const SC::Registration_quality& quality)
+{
+  result.agreement = quality.agreement;
+  result.near = quality.overlap;
+  result.expected = quality.expected_agreement;
+  result.correlation = quality.curvature_correlation;
+}
+
 // What the steps do; `features`: 0 for FPFH alone, 1 to 4 for the thesis's vectors (10.1.3), 5 for chirality appended.
 struct Steps
 {
@@ -164,8 +172,8 @@ Trial_result run_steps(const Split& split, std::size_t neighbors, const Steps& s
 {
   const auto [tests_mirrored, tests_orientation, tests_normals, features] = steps;
   Trial_result result;
-  const double start = now();
   const double radius = radius_of(split, neighbors);
+  const double start = now();
   const Point_set_samples source_samples = samples_of(split.source, radius),
                           target_samples = samples_of(split.target, radius);
   Descriptors of_source = fpfh(source_samples), of_target = fpfh(target_samples);
@@ -197,11 +205,7 @@ Trial_result run_steps(const Split& split, std::size_t neighbors, const Steps& s
       is_estimated(alignment.status) ? alignment.transformation : Eigen::Isometry3d::Identity();
   result.error = registration_error(split, motion);
   result.mirrored = mirrored_share(split, alignment.inliers);
-  const SC::Registration_quality quality = SC::assess_registration(source, target, motion);
-  result.agreement = quality.agreement;
-  result.near = quality.overlap;
-  result.expected = quality.expected_agreement;
-  result.correlation = quality.curvature_correlation;
+  add_quality(result, SC::assess_registration(source, target, motion));
   result.describe = described - start;
   result.match = matched - described;
   result.solve = solved - matched;
@@ -236,6 +240,8 @@ Trial_result run_open3d(const Split& split, std::size_t neighbors)
   for(const auto& [s, t] : found.inliers)
     inliers.push_back({std::uint32_t(s), std::uint32_t(t)});
   result.mirrored = mirrored_share(split, inliers);
+  add_quality(result, SC::assess_registration({split.source.points, split.source.normals},
+                                              {split.target.points, split.target.normals}, motion));
   return result;
 }
 
@@ -278,10 +284,7 @@ Trial_result run_pipeline(const Split& split, std::size_t neighbors)
     for(int column = 0; column < 4; ++column)
       motion.matrix()(row, column) = found.transformation.m(row, column);
   result.error = registration_error(split, motion);
-  result.agreement = found.quality.agreement;
-  result.near = found.quality.overlap;
-  result.expected = found.quality.expected_agreement;
-  result.correlation = found.quality.curvature_correlation;
+  add_quality(result, found.quality);
   result.verdict = found.verdict == SC::Registration_verdict::SUCCESS     ? "success"
                    : found.verdict == SC::Registration_verdict::AMBIGUOUS ? "ambiguous"
                                                                           : "failed";
