@@ -125,6 +125,25 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                                                  vertex_texture_coordinates_map,
                                                  vertex_texture_coordinates_map)
 
+    // features of heads
+    SC_new_parameter(head_pose_t, head_pose, head_pose) SC_new_parameter(head_is_aligned_t,
+                                                                         head_is_aligned,
+                                                                         head_is_aligned)
+        SC_new_parameter(head_feature_method_t, head_feature_method, head_feature_method)
+            SC_new_parameter(curvature_estimator_t, curvature_estimator, curvature_estimator)
+                SC_new_parameter(vertex_head_descriptor_map_t,
+                                 vertex_head_descriptor_map,
+                                 vertex_head_descriptor_map) SC_new_parameter(averaging_radius_t,
+                                                                              averaging_radius,
+                                                                              averaging_radius)
+                    SC_new_parameter(number_of_eye_vertices_t, number_of_eye_vertices, number_of_eye_vertices)
+                        SC_new_parameter(number_of_nose_vertices_t,
+                                         number_of_nose_vertices,
+                                         number_of_nose_vertices) SC_new_parameter(number_of_ear_vertices_t,
+                                                                                   number_of_ear_vertices,
+                                                                                   number_of_ear_vertices)
+                            SC_new_parameter(detection_radius_t, detection_radius, detection_radius)
+
     // deformation of heads
     SC_new_parameter(deformed_vertex_point_map_t, deformed_vertex_point_map, deformed_vertex_point_map)
 
