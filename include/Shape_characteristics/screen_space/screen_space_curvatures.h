@@ -97,7 +97,7 @@ namespace Shape_characteristics {
 
   Complexity: linear in the number of pixels.
 
-  Constant memory beyond the maps'.
+  Constant memory beyond the maps.
 
 */
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,

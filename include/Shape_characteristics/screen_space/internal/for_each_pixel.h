@@ -21,12 +21,12 @@ namespace internal {
 
 // Writes what `value` makes of the results to the map that is called `tag`, if there is one.
 template <typename Tag, typename NamedParameters, typename Value>
-void write_pixels(const NamedParameters& np,
-                  Tag tag,
-                  const std::vector<Screen_space_curvature>& results,
-                  std::size_t first,
-                  std::size_t count,
-                  const Value& value)
+void write_map(const NamedParameters& np,
+               Tag tag,
+               const std::vector<Screen_space_curvature>& results,
+               std::size_t first,
+               std::size_t count,
+               const Value& value)
 {
   using parameters::get_parameter;
   using parameters::is_default_parameter;
@@ -40,6 +40,27 @@ void write_pixels(const NamedParameters& np,
   {
     (void)np, (void)tag, (void)results, (void)first, (void)count, (void)value;
   }
+}
+
+// Writes all maps and returns the number of pixels with a surface and without an estimate.
+template <typename NamedParameters>
+std::size_t write_pixels(const NamedParameters& np,
+                         const std::vector<Screen_space_curvature>& results,
+                         std::size_t first,
+                         std::size_t count)
+{
+  using Curvature = Screen_space_curvature;
+  const auto write = [&](auto tag, const auto& value) { write_map(np, tag, results, first, count, value); };
+  write(internal_np::min_curvature_map, [](const Curvature& c) { return c.min_curvature; });
+  write(internal_np::max_curvature_map, [](const Curvature& c) { return c.max_curvature; });
+  write(internal_np::mean_curvature_map, [](const Curvature& c) { return mean_curvature(c); });
+  write(internal_np::Gaussian_curvature_map, [](const Curvature& c) { return Gaussian_curvature(c); });
+  write(internal_np::shape_index_map, [](const Curvature& c) { return shape_index(c); });
+  write(internal_np::status_map, [](const Curvature& c) { return c.status; });
+  std::size_t failures = 0;
+  for(std::size_t i = 0; i < count; ++i)
+    failures += !is_estimated(results[i].status) && results[i].status != Estimation_status::UNREFERENCED;
+  return failures;
 }
 
 // Asks `estimator(x, y)` for each pixel and writes the maps, from one thread: bands of rows, so that memory doesn't grow with the picture.
@@ -61,17 +82,7 @@ std::size_t for_each_pixel(const GBuffer& g_buffer, const Estimator& estimator, 
         [&](std::size_t i, Nothing&)
         { results[i] = estimator(int((first + i) % width), int((first + i) / width)); },
         std::function<bool(double)>(), 1024);
-    for(std::size_t i = 0; i < count; ++i)
-      failures += !is_estimated(results[i].status) && results[i].status != Estimation_status::UNREFERENCED;
-    const auto write = [&](auto tag, const auto& value)
-    { write_pixels(np, tag, results, first, count, value); };
-    using Curvature = Screen_space_curvature;
-    write(internal_np::min_curvature_map, [](const Curvature& c) { return c.min_curvature; });
-    write(internal_np::max_curvature_map, [](const Curvature& c) { return c.max_curvature; });
-    write(internal_np::mean_curvature_map, [](const Curvature& c) { return mean_curvature(c); });
-    write(internal_np::Gaussian_curvature_map, [](const Curvature& c) { return Gaussian_curvature(c); });
-    write(internal_np::shape_index_map, [](const Curvature& c) { return shape_index(c); });
-    write(internal_np::status_map, [](const Curvature& c) { return c.status; });
+    failures += write_pixels(np, results, first, count);
   }
   return failures;
 }
