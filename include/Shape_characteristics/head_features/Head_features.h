@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_HEAD_FEATURES_H
 
 #include <Shape_characteristics/head_features/Head_feature.h>
+#include <Shape_characteristics/head_features/Head_verdict.h>
 
 #include <CGAL/Aff_transformation_3.h>
 
@@ -52,10 +53,15 @@ struct Head_features
 
   /// whether the mesh is a head. If it isn't, nothing is found.
   bool is_head = false;
-  /// from the mesh to the frame of the features: nose towards +z, top towards +y, the largest extent of the mesh is 1
+  /// the same in more detail: what `estimate_head_pose()` says, or what the search for features adds to it
+  Head_verdict verdict = Head_verdict::NOT_A_HEAD;
+  /// why the mesh was not taken for a head
+  Head_obstacle obstacle = Head_obstacle::FEW_SAMPLES;
+  /// from the mesh to the frame in which the features were found: nose towards +z, top towards +y, in the unit of `Head_pose`
   CGAL::Aff_transformation_3<GeomTraits> transformation =
       CGAL::Aff_transformation_3<GeomTraits>(CGAL::IDENTITY);
-  /// from the chin to the top, in the unit of the mesh; 0 if not both are found
+  /// the height of the head, from its top to the lower end of the chin, in the unit of the mesh, by the proportions of heads from
+  /// what was found; 0 if the mesh is no head
   double head_height = 0.;
   /// the feature points, by `Head_feature`
   std::array<Feature_point, number_of_head_features> points;

@@ -1,0 +1,260 @@
+#ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_DEPTH_IMAGE_H
+#define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_DEPTH_IMAGE_H
+
+#include <Shape_characteristics/head_features/internal/Head_surface.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// Numbers on a grid of square pixels, NaN where there is none.
+class Scalar_image
+{
+public:
+  Scalar_image() = default;
+  Scalar_image(int width, int height, double value = std::numeric_limits<double>::quiet_NaN())
+    : m_width(width),
+      m_height(height),
+      m_values(std::size_t(width) * std::size_t(height), value)
+  {}
+
+  int width() const { return m_width; }
+  int height() const { return m_height; }
+  bool contains(int i, int j) const { return i >= 0 && j >= 0 && i < m_width && j < m_height; }
+  double& operator()(int i, int j)
+  {
+    return m_values[std::size_t(j) * std::size_t(m_width) + std::size_t(i)];
+  }
+  double operator()(int i, int j) const
+  {
+    return m_values[std::size_t(j) * std::size_t(m_width) + std::size_t(i)];
+  }
+  bool has_value(int i, int j) const { return contains(i, j) && !std::isnan((*this)(i, j)); }
+
+  // The image after a Gaussian of the standard deviation `sigma` (in pixels). Pixels without a value count for nothing and get
+  // none.
+  Scalar_image smoothed(double sigma) const
+  {
+    if(!(sigma > 0.) || m_values.empty())
+      return *this;
+    const int reach = std::max(1, int(std::ceil(3. * sigma)));
+    std::vector<double> kernel(std::size_t(reach) + 1);
+    for(int k = 0; k <= reach; ++k)
+      kernel[std::size_t(k)] = std::exp(-.5 * k * k / (sigma * sigma));
+    std::vector<double> sums(m_values.size()), weights(m_values.size());
+    for(int j = 0; j < m_height; ++j)
+      for(int i = 0; i < m_width; ++i)
+      {
+        double sum = 0., weight = 0.;
+        for(int k = std::max(-reach, -i), end = std::min(reach, m_width - 1 - i); k <= end; ++k)
+        {
+          const double value = (*this)(i + k, j);
+          if(std::isnan(value))
+            continue;
+          sum += kernel[std::size_t(std::abs(k))] * value;
+          weight += kernel[std::size_t(std::abs(k))];
+        }
+        sums[std::size_t(j) * std::size_t(m_width) + std::size_t(i)] = sum;
+        weights[std::size_t(j) * std::size_t(m_width) + std::size_t(i)] = weight;
+      }
+    Scalar_image result(m_width, m_height);
+    for(int j = 0; j < m_height; ++j)
+      for(int i = 0; i < m_width; ++i)
+      {
+        if(std::isnan((*this)(i, j)))
+          continue;
+        double sum = 0., weight = 0.;
+        for(int k = std::max(-reach, -j), end = std::min(reach, m_height - 1 - j); k <= end; ++k)
+        {
+          const std::size_t at = std::size_t(j + k) * std::size_t(m_width) + std::size_t(i);
+          sum += kernel[std::size_t(std::abs(k))] * sums[at];
+          weight += kernel[std::size_t(std::abs(k))] * weights[at];
+        }
+        result(i, j) = sum / weight;
+      }
+    return result;
+  }
+
+private:
+  int m_width = 0, m_height = 0;
+  std::vector<double> m_values;
+};
+
+// The part of a surface that is seen from one direction, from far away: for each pixel the nearest triangle that faces the eye,
+// and its depth (which grows towards the eye).
+class Depth_image
+{
+public:
+  // `right`, `up` and `forward` (towards the eye) are an orthonormal basis, of either handedness. Pixels lie at multiples of
+  // `pixel` from the corner `(left, bottom)` on.
+  Depth_image(const Head_surface& surface,
+              const Eigen::Vector3d& right,
+              const Eigen::Vector3d& up,
+              const Eigen::Vector3d& forward,
+              double left,
+              double bottom,
+              double width,
+              double height,
+              double pixel)
+    : m_surface(&surface),
+      m_right(right),
+      m_up(up),
+      m_forward(forward),
+      m_left(left),
+      m_bottom(bottom),
+      m_pixel(pixel),
+      m_depth(int(std::ceil(width / pixel)) + 1, int(std::ceil(height / pixel)) + 1),
+      m_triangle(std::size_t(m_depth.width()) * std::size_t(m_depth.height()), Surface_point::no_triangle)
+  {
+    for(std::size_t t = 0; t < surface.triangles.size(); ++t)
+      draw(t);
+  }
+
+  const Scalar_image& depth() const { return m_depth; }
+  double pixel() const { return m_pixel; }
+  double u(double i) const { return m_left + i * m_pixel; }
+  double v(double j) const { return m_bottom + j * m_pixel; }
+  double column(double u) const { return (u - m_left) / m_pixel; }
+  double row(double v) const { return (v - m_bottom) / m_pixel; }
+
+  std::size_t triangle(int i, int j) const
+  {
+    return m_triangle[std::size_t(j) * std::size_t(m_depth.width()) + std::size_t(i)];
+  }
+
+  // What is seen at `(u, v)`; not valid if there is nothing.
+  Surface_point point(double u, double v) const
+  {
+    const int i0 = int(std::floor(column(u))), j0 = int(std::floor(row(v)));
+    Surface_point best;
+    double best_depth = -std::numeric_limits<double>::infinity(), best_violation = 1.5 * m_pixel;
+    bool is_inside = false;
+    for(int j = j0 - 1; j <= j0 + 2; ++j)
+      for(int i = i0 - 1; i <= i0 + 2; ++i)
+      {
+        if(!m_depth.contains(i, j) || triangle(i, j) == Surface_point::no_triangle)
+          continue;
+        const std::size_t t = triangle(i, j);
+        const Projected p = project(t);
+        if(!(p.area > 0.))
+          continue;
+        const std::array<double, 3> w = p.weights(u, v);
+        const bool inside = w[0] >= -1e-9 && w[1] >= -1e-9 && w[2] >= -1e-9;
+        const double depth = w[0] * p.d[0] + w[1] * p.d[1] + w[2] * p.d[2];
+        if(inside ? (!is_inside || depth > best_depth) : false)
+        {
+          is_inside = true;
+          best_depth = depth;
+          best = at(t, w);
+        }
+        else if(!is_inside && !inside)
+        {
+          // no triangle of the neighborhood is hit: the nearest one will do
+          std::array<double, 3> c = {std::max(w[0], 0.), std::max(w[1], 0.), std::max(w[2], 0.)};
+          const double sum = c[0] + c[1] + c[2];
+          for(double& x : c)
+            x /= sum;
+          const double du = c[0] * p.u[0] + c[1] * p.u[1] + c[2] * p.u[2] - u,
+                       dv = c[0] * p.v[0] + c[1] * p.v[1] + c[2] * p.v[2] - v, violation = std::hypot(du, dv);
+          if(violation < best_violation)
+          {
+            best_violation = violation;
+            best = at(t, c);
+          }
+        }
+      }
+    return best;
+  }
+
+private:
+  struct Projected
+  {
+    std::array<double, 3> u, v, d;
+    double area; // twice, positive if it faces the eye
+
+    std::array<double, 3> weights(double x, double y) const
+    {
+      const auto cross = [&](const std::size_t a, const std::size_t b)
+      { return (u[a] - x) * (v[b] - y) - (u[b] - x) * (v[a] - y); };
+      return {cross(1, 2) / area, cross(2, 0) / area, cross(0, 1) / area};
+    }
+  };
+
+  Projected project(std::size_t t) const
+  {
+    Projected p;
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d& x = m_surface->points[m_surface->triangles[t][k]];
+      p.u[k] = m_right.dot(x);
+      p.v[k] = m_up.dot(x);
+      p.d[k] = m_forward.dot(x);
+    }
+    p.area = (p.u[1] - p.u[0]) * (p.v[2] - p.v[0]) - (p.u[2] - p.u[0]) * (p.v[1] - p.v[0]);
+    // a left-handed basis shows the surface in a mirror
+    const double handedness = m_right.cross(m_up).dot(m_forward);
+    if(handedness < 0.)
+    {
+      std::swap(p.u[1], p.u[2]);
+      std::swap(p.v[1], p.v[2]);
+      std::swap(p.d[1], p.d[2]);
+      p.area = -p.area;
+    }
+    return p;
+  }
+
+  Surface_point at(std::size_t t, std::array<double, 3> w) const
+  {
+    if(m_right.cross(m_up).dot(m_forward) < 0.)
+      std::swap(w[1], w[2]);
+    Surface_point s;
+    s.triangle = t;
+    for(std::size_t k = 0; k < 3; ++k)
+      s.position += w[k] * m_surface->points[m_surface->triangles[t][k]];
+    return s;
+  }
+
+  void draw(std::size_t t)
+  {
+    const Projected p = project(t);
+    if(!(p.area > 0.) || !std::isfinite(p.area))
+      return;
+    const auto [u_min, u_max] = std::minmax_element(p.u.begin(), p.u.end());
+    const auto [v_min, v_max] = std::minmax_element(p.v.begin(), p.v.end());
+    const int i_begin = int(std::ceil(std::max(column(*u_min), 0.))),
+              i_end = int(std::floor(std::min(column(*u_max), double(m_depth.width() - 1)))),
+              j_begin = int(std::ceil(std::max(row(*v_min), 0.))),
+              j_end = int(std::floor(std::min(row(*v_max), double(m_depth.height() - 1))));
+    for(int j = j_begin; j <= j_end; ++j)
+      for(int i = i_begin; i <= i_end; ++i)
+      {
+        const std::array<double, 3> w = p.weights(u(i), v(j));
+        if(w[0] < -1e-9 || w[1] < -1e-9 || w[2] < -1e-9)
+          continue;
+        const double depth = w[0] * p.d[0] + w[1] * p.d[1] + w[2] * p.d[2];
+        if(!(m_depth(i, j) >= depth))
+        {
+          m_depth(i, j) = depth;
+          m_triangle[std::size_t(j) * std::size_t(m_depth.width()) + std::size_t(i)] = t;
+        }
+      }
+  }
+
+  const Head_surface* m_surface;
+  Eigen::Vector3d m_right, m_up, m_forward;
+  double m_left, m_bottom, m_pixel;
+  Scalar_image m_depth;
+  std::vector<std::size_t> m_triangle;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_DEPTH_IMAGE_H

@@ -1,0 +1,160 @@
+#ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_EAR_FINDER_H
+#define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_EAR_FINDER_H
+
+#include <Shape_characteristics/head_features/internal/Depth_image.h>
+#include <Shape_characteristics/head_features/internal/Head_surface.h>
+#include <Shape_characteristics/head_features/internal/Range_image_curvature.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/convex_hull_2.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// An ear as it is seen from its side of the head.
+class Ear_outline
+{
+public:
+  using Point_2 = CGAL::Simple_cartesian<double>::Point_2; // forward (z) and up (y)
+
+  Ear_outline() = default;
+  Ear_outline(std::vector<Point_2> hull, double certainty) : m_hull(std::move(hull)), m_certainty(certainty)
+  {}
+
+  double certainty() const { return m_certainty; }            // 0: not found
+  const std::vector<Point_2>& hull() const { return m_hull; } // counterclockwise
+
+  // how far a point is outside of the outline, negative inside
+  double distance(double z, double y) const
+  {
+    double outside = -std::numeric_limits<double>::infinity(),
+           nearest = std::numeric_limits<double>::infinity();
+    for(std::size_t k = 0; k < m_hull.size(); ++k)
+    {
+      const Point_2 &a = m_hull[k], &b = m_hull[(k + 1) % m_hull.size()];
+      const double dz = b.x() - a.x(), dy = b.y() - a.y(), squared = dz * dz + dy * dy;
+      if(!(squared > 0.))
+        continue;
+      outside = std::max(outside, ((z - a.x()) * dy - (y - a.y()) * dz) / std::sqrt(squared));
+      const double t = std::min(std::max(((z - a.x()) * dz + (y - a.y()) * dy) / squared, 0.), 1.);
+      nearest = std::min(nearest, std::hypot(z - a.x() - t * dz, y - a.y() - t * dy));
+    }
+    return outside > 0. ? nearest : outside;
+  }
+
+private:
+  std::vector<Point_2> m_hull;
+  double m_certainty = 0.;
+};
+
+// The folds of an ear are the sharpest on the side of a head. Where they lie close together at the place where an ear is to be
+// expected, the ear is what they enclose; if it is neither too large nor too small for one, and stands out from the head at the
+// back.
+class Ear_finder
+{
+public:
+  // `surface` is seen from the tip of the nose, in heights of the head; `side`: -1 for the ear at negative x, 1 for the other
+  Ear_finder(const Head_surface& surface, int side)
+    : m_side(side),
+      m_image(surface,
+              Eigen::Vector3d(0, 0, -side),
+              Eigen::Vector3d::UnitY(),
+              Eigen::Vector3d(side, 0, 0),
+              side < 0 ? s_back : -s_front,
+              s_bottom,
+              s_front - s_back,
+              s_top - s_bottom,
+              s_pixel)
+  {}
+
+  Ear_outline find() const
+  {
+    const Range_image_curvature curvature(m_image.depth().smoothed(.005 / s_pixel), s_pixel);
+    const int columns = m_image.depth().width(), rows = m_image.depth().height();
+    const auto is_fold = [&](int i, int j)
+    { return curvature.max.has_value(i, j) && curvature.max(i, j) > s_fold; };
+
+    // the group of folds, none far from the next, with most pixels of them
+    std::vector<bool> visited(std::size_t(columns) * std::size_t(rows), false);
+    const int reach = int(s_gap / s_pixel);
+    std::vector<std::pair<int, int> > ear;
+    for(int j0 = 0; j0 < rows; ++j0)
+      for(int i0 = 0; i0 < columns; ++i0)
+      {
+        if(!is_fold(i0, j0) || visited[index(i0, j0)])
+          continue;
+        std::vector<std::pair<int, int> > group = {{i0, j0}};
+        visited[index(i0, j0)] = true;
+        for(std::size_t k = 0; k < group.size(); ++k)
+        {
+          const auto [i, j] = group[k];
+          for(int b = std::max(j - reach, 0); b <= std::min(j + reach, rows - 1); ++b)
+            for(int a = std::max(i - reach, 0); a <= std::min(i + reach, columns - 1); ++a)
+              if(!visited[index(a, b)] && is_fold(a, b))
+              {
+                visited[index(a, b)] = true;
+                group.push_back({a, b});
+              }
+        }
+        if(group.size() > ear.size())
+          ear = std::move(group);
+      }
+    if(ear.size() < 3)
+      return {};
+
+    std::vector<Ear_outline::Point_2> points, hull;
+    for(const auto& [i, j] : ear)
+      points.emplace_back(-m_side * m_image.u(i), m_image.v(j));
+    CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+    return Ear_outline(hull, certainty(hull));
+  }
+
+private:
+  static constexpr double s_pixel = .003;
+  static constexpr double s_back = -.85, s_front = -.40, s_bottom = -.2, s_top = .27;
+  static constexpr double s_fold = 25.; // curvature in 1 / height of the head
+  static constexpr double s_gap = .02;
+
+  std::size_t index(int i, int j) const
+  {
+    return std::size_t(j) * std::size_t(m_image.depth().width()) + std::size_t(i);
+  }
+
+  double certainty(const std::vector<Ear_outline::Point_2>& hull) const
+  {
+    double z_min = hull[0].x(), z_max = z_min, y_min = hull[0].y(), y_max = y_min;
+    for(const auto& p : hull)
+    {
+      z_min = std::min(z_min, p.x());
+      z_max = std::max(z_max, p.x());
+      y_min = std::min(y_min, p.y());
+      y_max = std::max(y_max, p.y());
+    }
+    const double margin = 2 * s_pixel;
+    if(z_min < s_back + margin || z_max > s_front - margin || y_min < s_bottom + margin ||
+       y_max > s_top - margin)
+      return 0.;
+    const double height = y_max - y_min, width = z_max - z_min;
+    if(height < .13 || height > .38 || width < .06 || width > .24 || width > height)
+      return 0.;
+    return 1.;
+  }
+
+  int m_side;
+  Depth_image m_image;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_EAR_FINDER_H

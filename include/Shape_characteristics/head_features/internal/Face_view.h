@@ -1,0 +1,210 @@
+#ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_FACE_VIEW_H
+#define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_FACE_VIEW_H
+
+#include <Shape_characteristics/head_features/internal/Depth_image.h>
+#include <Shape_characteristics/head_features/internal/Head_surface.h>
+#include <Shape_characteristics/head_features/internal/Range_image_curvature.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// The face from the front: its depth, smoothed over two widths, how strongly it is creased, and what of it is one connected skin.
+// The unit is the height of the head, the origin the tip of the nose; x points to the right, y upwards, z towards the eye.
+class Face_view
+{
+public:
+  static constexpr double pixel = .002;
+  static constexpr double left = -.45, bottom = -.62, width = .9, height = 1.12;
+
+  // `components` numbers the connected parts of the surface, by vertex
+  Face_view(const Head_surface& surface, const std::vector<Head_surface::Index>& components)
+    : m_surface(surface),
+      m_image(surface,
+              Eigen::Vector3d::UnitX(),
+              Eigen::Vector3d::UnitY(),
+              Eigen::Vector3d::UnitZ(),
+              left,
+              bottom,
+              width,
+              height,
+              pixel),
+      m_smooth(m_image.depth().smoothed(.006 / pixel)),
+      m_curvature(m_image.depth().smoothed(.004 / pixel), pixel),
+      m_is_skin(std::size_t(columns()) * std::size_t(rows()), false)
+  {
+    find_skin(components);
+  }
+
+  int columns() const { return m_image.depth().width(); }
+  int rows() const { return m_image.depth().height(); }
+  double u(double i) const { return m_image.u(i); }
+  double v(double j) const { return m_image.v(j); }
+  int column(double u) const { return clamp_to(m_image.column(u), columns()); }
+  int row(double v) const { return clamp_to(m_image.row(v), rows()); }
+
+  const Depth_image& image() const { return m_image; }
+  const Scalar_image& smooth_depth() const { return m_smooth; }
+
+  // whether a pixel shows the skin that the tip of the nose belongs to, without a step in between
+  bool is_skin(int i, int j) const
+  {
+    return m_image.depth().contains(i, j) &&
+           m_is_skin[std::size_t(j) * std::size_t(columns()) + std::size_t(i)];
+  }
+  bool is_empty(int i, int j) const { return !m_image.depth().has_value(i, j); }
+
+  // how strongly the surface is creased (concave), in 1 / height of the head; 0 where that isn't known
+  double crease(int i, int j) const
+  {
+    return m_curvature.min.has_value(i, j) ? std::max(-m_curvature.min(i, j), 0.) : 0.;
+  }
+
+  // the smooth depth between pixels, NaN where there is none
+  double depth(double u, double v) const
+  {
+    const double x = m_image.column(u), y = m_image.row(v);
+    const int i = int(std::floor(x)), j = int(std::floor(y));
+    if(!m_smooth.contains(i, j) || !m_smooth.contains(i + 1, j + 1))
+      return std::numeric_limits<double>::quiet_NaN();
+    const double s = x - i, t = y - j;
+    return (1 - t) * ((1 - s) * m_smooth(i, j) + s * m_smooth(i + 1, j)) +
+           t * ((1 - s) * m_smooth(i, j + 1) + s * m_smooth(i + 1, j + 1));
+  }
+
+  // what is seen at `(u, v)`
+  Surface_point point(double u, double v) const { return m_image.point(u, v); }
+
+  // the skin that is seen at `(u, v)`, or next to it if something else is
+  Surface_point skin_point(double u, double v) const
+  {
+    const int i0 = column(u), j0 = row(v);
+    if(is_skin(i0, j0))
+    {
+      const Surface_point p = m_image.point(u, v);
+      if(p.is_valid() && is_skin_triangle(p.triangle))
+        return p;
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    int i_best = -1, j_best = -1;
+    constexpr int reach = 8;
+    for(int j = j0 - reach; j <= j0 + reach; ++j)
+      for(int i = i0 - reach; i <= i0 + reach; ++i)
+      {
+        const double distance = std::hypot(this->u(i) - u, this->v(j) - v);
+        if(is_skin(i, j) && distance < nearest)
+        {
+          nearest = distance;
+          i_best = i;
+          j_best = j;
+        }
+      }
+    return i_best < 0 ? Surface_point() : m_image.point(this->u(i_best), this->v(j_best));
+  }
+
+  // The greatest value of a function of the pixels of a window, and where: `(u, v)` by a parabola through it and its neighbors.
+  struct Extremum
+  {
+    double u = 0., v = 0., value = -std::numeric_limits<double>::infinity();
+    bool is_inside = false; // not at the rim of the window
+  };
+
+  template <typename Function>
+  Extremum maximum(double u_min, double u_max, double v_min, double v_max, const Function& function) const
+  {
+    const int i_min = column(u_min), i_max = column(u_max), j_min = row(v_min), j_max = row(v_max);
+    Extremum best;
+    int i_best = -1, j_best = -1;
+    for(int j = j_min; j <= j_max; ++j)
+      for(int i = i_min; i <= i_max; ++i)
+      {
+        const double value = function(i, j);
+        if(value > best.value)
+        {
+          best.value = value;
+          i_best = i;
+          j_best = j;
+        }
+      }
+    if(i_best < 0)
+      return best;
+    best.is_inside = i_best > i_min && i_best < i_max && j_best > j_min && j_best < j_max;
+    best.u = u(i_best +
+               vertex_of_parabola(function(i_best - 1, j_best), best.value, function(i_best + 1, j_best)));
+    best.v = v(j_best +
+               vertex_of_parabola(function(i_best, j_best - 1), best.value, function(i_best, j_best + 1)));
+    return best;
+  }
+
+  // where, between -1/2 and 1/2, the parabola through (-1, a), (0, b), (1, c) is greatest
+  static double vertex_of_parabola(double a, double b, double c)
+  {
+    const double bend = a - 2 * b + c;
+    if(!(bend < 0.))
+      return 0.;
+    return std::min(std::max(.5 * (a - c) / bend, -.5), .5);
+  }
+
+private:
+  static int clamp_to(double x, int size)
+  {
+    return int(std::lround(std::min(std::max(x, 0.), double(size - 1))));
+  }
+
+  bool is_skin_triangle(std::size_t t) const
+  {
+    return (*m_components)[m_surface.triangles[t][0]] == m_skin_component;
+  }
+
+  // Skin is what can be reached from the tip of the nose in the image without a step in depth: lids end where the ball of the
+  // eye or a hole begins, lips where the mouth is open.
+  void find_skin(const std::vector<Head_surface::Index>& components)
+  {
+    constexpr double steepest = 4.; // of a slope
+    m_components = &components;
+    const int i0 = column(0.), j0 = row(0.);
+    if(is_empty(i0, j0))
+      return;
+    const auto component = [&](int i, int j)
+    { return components[m_surface.triangles[m_image.triangle(i, j)][0]]; };
+    const auto index = [&](int i, int j) { return std::size_t(j) * std::size_t(columns()) + std::size_t(i); };
+    m_skin_component = component(i0, j0);
+    std::vector<std::pair<int, int> > stack = {{i0, j0}};
+    m_is_skin[index(i0, j0)] = true;
+    const Scalar_image& z = m_image.depth();
+    while(!stack.empty())
+    {
+      const auto [i, j] = stack.back();
+      stack.pop_back();
+      for(const auto& [a, b] :
+          {std::pair(i + 1, j), std::pair(i - 1, j), std::pair(i, j + 1), std::pair(i, j - 1)})
+      {
+        if(is_empty(a, b) || m_is_skin[index(a, b)] || std::abs(z(a, b) - z(i, j)) > steepest * pixel ||
+           component(a, b) != m_skin_component)
+          continue;
+        m_is_skin[index(a, b)] = true;
+        stack.push_back({a, b});
+      }
+    }
+  }
+
+  const Head_surface& m_surface;
+  Depth_image m_image;
+  Scalar_image m_smooth;
+  Range_image_curvature m_curvature;
+  std::vector<bool> m_is_skin;
+  const std::vector<Head_surface::Index>* m_components = nullptr;
+  Head_surface::Index m_skin_component = 0;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_FACE_VIEW_H

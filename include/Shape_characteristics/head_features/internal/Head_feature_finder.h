@@ -1,0 +1,601 @@
+#ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_HEAD_FEATURE_FINDER_H
+#define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_HEAD_FEATURE_FINDER_H
+
+#include <Shape_characteristics/head_features/Head_feature.h>
+#include <Shape_characteristics/head_features/internal/Ear_finder.h>
+#include <Shape_characteristics/head_features/internal/Eye_finder.h>
+#include <Shape_characteristics/head_features/internal/Face_view.h>
+#include <Shape_characteristics/head_features/internal/Found_head_features.h>
+#include <Shape_characteristics/head_features/internal/Head_surface.h>
+#include <Shape_characteristics/head_features/internal/Mouth_finder.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// Finds the feature points and regions of a head by the shape of its surface, seen from the front, from above and from the sides.
+//
+// All lengths are in heights of the head (from its top to the lower end of the chin). Where a feature is to be looked for, the
+// proportions of heads say; where it is, the surface.
+class Head_feature_finder
+{
+public:
+  using Index = Head_surface::Index;
+
+  // `surface`: nose towards +z, top towards +y; `nose_tip`: about the tip of the nose, `height`: about the head's height
+  Head_feature_finder(const Head_surface& surface, const Eigen::Vector3d& nose_tip, double height)
+    : m_original(surface),
+      m_origin(nose_tip),
+      m_unit(height)
+  {}
+
+  Found_head_features find()
+  {
+    find_components();
+    for(int attempt = 0; attempt < 3; ++attempt)
+    {
+      m_found = Found_head_features();
+      normalize();
+      m_view.emplace(m_surface, m_components);
+      const std::optional<Eigen::Vector3d> tip = nose_tip();
+      if(!tip)
+        return Found_head_features();
+      // what follows is seen from the tip
+      if(tip->norm() > .01 && attempt < 2)
+      {
+        m_origin += m_unit * *tip;
+        continue;
+      }
+      find_eyes();
+      // the distance of the eyes is the best measure of a head: no jaw, hair or hat changes it
+      const double scale = distance_of_eyes() / s_distance_of_eyes;
+      if(std::abs(scale - 1.) > .06 && attempt < 2 && scale > .5 && scale < 2.)
+      {
+        m_unit *= scale;
+        continue;
+      }
+      break;
+    }
+    find_mouth();
+    find_midline();
+    find_sides_of_nose();
+    find_top();
+    find_ears();
+    find_regions();
+    to_original();
+    return m_found;
+  }
+
+  // the height of the head as it was found to be, in the unit of the surface
+  double height() const
+  {
+    const auto &top = m_found[Head_feature::TOP], &chin = m_found[Head_feature::CHIN];
+    return top.is_found() && chin.is_found() ? (top.position().y() - chin.position().y()) / s_top_to_chin
+                                             : m_unit;
+  }
+
+private:
+  static constexpr double s_top_to_chin = .931;
+  static constexpr double s_distance_of_eyes = .397; // between the outer corners
+
+  // where features are to be expected, from the tip of the nose
+  static constexpr double s_eye_u = .14, s_eye_v = .139, s_base = .072;
+  static constexpr double s_below_lip =
+      .004; // the middle of the lower lip is a little below its foremost point
+
+  void find_components()
+  {
+    std::vector<Index>& parent = m_components;
+    parent.resize(m_original.points.size());
+    std::iota(parent.begin(), parent.end(), Index(0));
+    const auto root = [&](Index i)
+    {
+      while(parent[i] != i)
+        i = parent[i] = parent[parent[i]];
+      return i;
+    };
+    for(const auto& t : m_original.triangles)
+      for(std::size_t k = 1; k < 3; ++k)
+      {
+        const Index a = root(t[0]), b = root(t[k]);
+        parent[std::max(a, b)] = std::min(a, b);
+      }
+    for(Index i = 0; i < parent.size(); ++i)
+      parent[i] = root(i);
+  }
+
+  void normalize()
+  {
+    m_surface = m_original;
+    for(Eigen::Vector3d& p : m_surface.points)
+      p = (p - m_origin) / m_unit;
+  }
+
+  void to_original()
+  {
+    for(Found_head_features::Point& p : m_found.points)
+      p.place.position = m_origin + m_unit * p.place.position;
+  }
+
+  void set(Head_feature feature, const Surface_point& place, double confidence)
+  {
+    if(!place.is_valid())
+      return;
+    m_found[feature].place = place;
+    m_found[feature].confidence = std::min(std::max(confidence, 0.), 1.);
+  }
+
+  // The tip is where the nose reaches farthest forward and a little upward: farthest forward alone is the lower side of noses
+  // that point upwards.
+  std::optional<Eigen::Vector3d> nose_tip()
+  {
+    const Scalar_image z = m_view->image().depth().smoothed(.02 / Face_view::pixel);
+    const auto reach = [&](int i, int j)
+    {
+      return z.contains(i, j) && m_view->is_skin(i, j) ? z(i, j) + s_upward * m_view->v(j)
+                                                       : -std::numeric_limits<double>::infinity();
+    };
+    const Face_view::Extremum tip = m_view->maximum(-.06, .06, -.08, .08, reach);
+    if(!std::isfinite(tip.value))
+      return std::nullopt;
+    const Surface_point place = m_view->skin_point(tip.u, tip.v);
+    if(!place.is_valid())
+      return std::nullopt;
+    set(Head_feature::NOSE_TIP, place, tip.is_inside ? 1. : .5);
+    set(Head_feature::N2, place, tip.is_inside ? 1. : .5);
+    return place.position;
+  }
+  static constexpr double s_upward = .2;
+
+  void find_eyes()
+  {
+    for(const int side : {-1, 1})
+    {
+      const Eye_outline eye = Eye_finder(*m_view, side, side * s_eye_u, s_eye_v).find();
+      if(!(eye.certainty > 0.))
+        continue;
+      const auto feature = [&](int k)
+      {
+        return static_cast<Head_feature>(
+            static_cast<int>(side < 0 ? Head_feature::LEFT_E1 : Head_feature::RIGHT_E1) + k);
+      };
+      const double u = .5 * (eye.outer_corner.u + eye.inner_corner.u),
+                   v = .5 * (eye.outer_corner.v + eye.inner_corner.v);
+      const double confidence =
+          eye.certainty * plausibility(std::hypot(u - side * s_eye_u, v - s_eye_v), .05);
+      const auto place = [&](const Eye_outline::Place& p) { return m_view->skin_point(p.u, p.v); };
+      set(feature(0), place(eye.outer_corner), confidence);
+      set(feature(1), place(eye.inner_corner), confidence);
+      set(feature(2), place(eye.upper[0]), confidence);
+      set(feature(3), place(eye.upper[1]), confidence);
+      set(feature(4), place(eye.lower[0]), confidence);
+      set(feature(5), place(eye.lower[1]), confidence);
+    }
+  }
+
+  double distance_of_eyes() const
+  {
+    const auto &left = m_found[Head_feature::LEFT_E1], &right = m_found[Head_feature::RIGHT_E1];
+    return left.is_found() && right.is_found() ? right.position().x() - left.position().x()
+                                               : s_distance_of_eyes;
+  }
+
+  // x of the midline at the height v: through the tip of the nose and between the eyes, or between the corners of the mouth
+  double midline(double v) const
+  {
+    const auto between = [&](Head_feature a, Head_feature b, double& u, double& height)
+    {
+      if(!m_found[a].is_found() || !m_found[b].is_found())
+        return false;
+      const Eigen::Vector3d middle = .5 * (m_found[a].position() + m_found[b].position());
+      u = middle.x();
+      height = middle.y();
+      return true;
+    };
+    const Eigen::Vector3d& tip = m_found[Head_feature::NOSE_TIP].position();
+    double u = 0., height = 0.;
+    const bool is_known = v > tip.y() ? between(Head_feature::LEFT_E2, Head_feature::RIGHT_E2, u, height)
+                                      : between(Head_feature::M1, Head_feature::M2, u, height);
+    if(!is_known || std::abs(height - tip.y()) < .05)
+      return tip.x();
+    return tip.x() + (v - tip.y()) / (height - tip.y()) * (u - tip.x());
+  }
+
+  double profile(double v) const { return m_view->depth(midline(v), v); }
+
+  // how strongly a profile is bent at `v`: positive where it is concave
+  template <typename Depth>
+  static double concavity(const Depth& depth, double v, double h)
+  {
+    const double a = depth(v - h), b = depth(v), c = depth(v + h), slope = (c - a) / (2 * h);
+    return (a - 2 * b + c) / (h * h) / std::pow(1 + slope * slope, 1.5);
+  }
+
+  // the place between two heights where a function is greatest; NaN if it has no value anywhere
+  template <typename Function>
+  static double greatest(double v_min, double v_max, const Function& function)
+  {
+    constexpr double step = .001;
+    double best = std::numeric_limits<double>::quiet_NaN(), value = -std::numeric_limits<double>::infinity();
+    for(double v = v_min; v <= v_max; v += step)
+    {
+      const double here = function(v);
+      if(here > value)
+      {
+        value = here;
+        best = v;
+      }
+    }
+    if(std::isnan(best))
+      return best;
+    return best + step * Face_view::vertex_of_parabola(function(best - step), value, function(best + step));
+  }
+
+  void set_on_midline(Head_feature feature, double v, double confidence)
+  {
+    if(!std::isnan(v))
+      set(feature, m_view->skin_point(midline(v), v), confidence);
+  }
+
+  void find_mouth()
+  {
+    const Mouth_outline mouth = Mouth_finder(*m_view, midline(-.15), -.235, -.105).find();
+    if(!(mouth.certainty > 0.))
+      return;
+    for(const int side : {-1, 1})
+    {
+      const Mouth_outline::Place& corner = mouth.corners[side < 0 ? 0 : 1];
+      set(left_or_right(Head_feature::M1, Head_feature::M2, side), m_view->skin_point(corner.u, corner.v),
+          mouth.certainty * plausibility(std::abs(side * corner.u - .11), .04));
+    }
+    const double upper = greatest(mouth.upper_lip + .004, mouth.upper_lip + .05,
+                                  [&](double v) { return profile(v); }),
+                 lower = greatest(mouth.lower_lip - .06, mouth.lower_lip - .004,
+                                  [&](double v) { return profile(v); });
+    set_on_midline(Head_feature::M3, upper, mouth.certainty);
+    set_on_midline(Head_feature::M4, lower - s_below_lip, mouth.certainty);
+  }
+
+  void find_midline()
+  {
+    // the root of the nose is at the height of the eyes, where the profile is hollow
+    const Eigen::Vector3d& tip = m_found[Head_feature::NOSE_TIP].position();
+    const double chord_top = .32;
+    const double hollow = greatest(.09, .22,
+                                   [&](double v)
+                                   {
+                                     const double t = v / chord_top;
+                                     return t * profile(chord_top) + (1 - t) * profile(0.) - profile(v);
+                                   });
+    double sum = 0.;
+    int eyes = 0;
+    for(const auto& [outer, inner] : {std::pair(Head_feature::LEFT_E1, Head_feature::LEFT_E2),
+                                      std::pair(Head_feature::RIGHT_E1, Head_feature::RIGHT_E2)})
+      if(m_found[outer].is_found() && m_found[inner].is_found())
+      {
+        sum += .5 * (m_found[outer].position().y() + m_found[inner].position().y());
+        ++eyes;
+      }
+    const double root = eyes > 0 ? .75 * (sum / eyes + .015) + .25 * hollow : hollow;
+    set_on_midline(Head_feature::N4, root, plausibility(root - hollow, .03));
+
+    if(m_found[Head_feature::N4].is_found())
+    {
+      const Eigen::Vector3d predicted = .5 * (tip + m_found[Head_feature::N4].position());
+      const double bridge =
+          greatest(predicted.y() - .04, predicted.y() + .04,
+                   [&](double v) { return -std::hypot(v - predicted.y(), profile(v) - predicted.z()); });
+      set_on_midline(Head_feature::N3, bridge, m_found[Head_feature::N4].confidence);
+    }
+
+    // the base of the nose is where the profile turns from the nose into the lip
+    const auto bend = [&](double v) { return concavity([&](double w) { return profile(w); }, v, .004); };
+    const double base =
+        greatest(-.1, -.045, [&](double v) { return bend(v) * plausibility(v + s_base, .008); });
+    set_on_midline(Head_feature::N1, base, bend(base) > 0. ? 1. : .3);
+
+    find_chin();
+  }
+
+  // The chin bulges between the fold below the lower lip and the lower end of the jaw, where a plane that leans against it from
+  // below and in front touches it.
+  void find_chin()
+  {
+    if(!m_found[Head_feature::M4].is_found())
+      return;
+    const Scalar_image z = m_view->image().depth().smoothed(.012 / Face_view::pixel);
+    const auto depth = [&](double v)
+    {
+      const int i = m_view->column(midline(v));
+      const double y = m_view->image().row(v);
+      const int j = int(std::floor(y));
+      return z.contains(i, j) && z.contains(i, j + 1) ? z(i, j) + (y - j) * (z(i, j + 1) - z(i, j))
+                                                      : std::numeric_limits<double>::quiet_NaN();
+    };
+    const double lip = m_found[Head_feature::M4].position().y();
+    const double fold = greatest(lip - .075, lip - .015, [&](double v) { return concavity(depth, v, .006); });
+    if(std::isnan(fold))
+      return;
+    const double lower_end = greatest(fold - .2, fold - .04, [&](double v) { return depth(v) - 1.2 * v; });
+    // what is below must be there, or the lower end may be where the surface was cut off
+    if(std::isnan(lower_end) || std::isnan(depth(lower_end - .01)))
+      return;
+    const double chin = .65 * (.5 * (fold + lower_end) + .006) + .35 * (lip - .0865);
+    set_on_midline(Head_feature::CHIN, chin, plausibility(fold - lower_end - .11, .03));
+  }
+
+  void find_sides_of_nose()
+  {
+    for(const int side : {-1, 1})
+      for(const bool is_root : {false, true})
+      {
+        const auto& center = m_found[is_root ? Head_feature::N4 : Head_feature::N3];
+        if(!center.is_found())
+          continue;
+        const double u = center.position().x() + side * (is_root ? .0625 : .0905),
+                     v = center.position().y() + (is_root ? 0. : .005);
+        set(is_root ? left_or_right(Head_feature::N6, Head_feature::N8, side)
+                    : left_or_right(Head_feature::N5, Head_feature::N7, side),
+            m_view->skin_point(u, v), center.confidence);
+      }
+  }
+
+  void find_top()
+  {
+    constexpr double pixel = .008, half = .5;
+    const Depth_image above(m_surface, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ(),
+                            Eigen::Vector3d::UnitY(), -half, -.2, 2 * half, 1.2, pixel);
+    const Scalar_image height = above.depth().smoothed(2.);
+    double best = -std::numeric_limits<double>::infinity();
+    int i_best = -1, j_best = -1;
+    for(int j = 0; j < height.height(); ++j)
+      for(int i = 0; i < height.width(); ++i)
+        if(height(i, j) > best)
+        {
+          best = height(i, j);
+          i_best = i;
+          j_best = j;
+        }
+    if(i_best < 1 || j_best < 1 || i_best + 2 > height.width() || j_best + 2 > height.height())
+      return;
+    const auto at = [&](int i, int j) { return height.has_value(i, j) ? height(i, j) : best; };
+    const double i = i_best +
+                     Face_view::vertex_of_parabola(at(i_best - 1, j_best), best, at(i_best + 1, j_best)),
+                 j = j_best +
+                     Face_view::vertex_of_parabola(at(i_best, j_best - 1), best, at(i_best, j_best + 1));
+    // the surface must go on to all sides: a cut is no top
+    constexpr int reach = 5;
+    for(const auto& [a, b] :
+        {std::pair(reach, 0), std::pair(-reach, 0), std::pair(0, reach), std::pair(0, -reach)})
+      if(!height.has_value(i_best + a, j_best + b))
+        return;
+    if(best < .4)
+      return;
+    set(Head_feature::TOP, above.point(above.u(i), above.v(j)), plausibility(best - .641, .1));
+  }
+
+  // An ear is the surface behind its outline. What belongs to it at the back, next to the head, is hidden by it.
+  void find_ears()
+  {
+    for(const int side : {-1, 1})
+    {
+      const Ear_outline outline = Ear_finder(m_surface, side).find();
+      if(!(outline.certainty() > 0.))
+        continue;
+      double z_middle = 0.;
+      Eigen::AlignedBox2d box; // z, y
+      for(const auto& p : outline.hull())
+      {
+        box.extend(Eigen::Vector2d(p.x(), p.y()));
+        z_middle += p.x() / double(outline.hull().size());
+      }
+      const auto is_inside = [&](const Eigen::Vector3d& p)
+      {
+        return side * p.x() > s_least_ear_x &&
+               outline.distance(p.z(), p.y()) <= (p.z() > z_middle ? 0. : s_behind_ear);
+      };
+      Found_head_features::Region& region =
+          m_found[side < 0 ? Head_region::LEFT_EAR : Head_region::RIGHT_EAR];
+      double x_outer = 0.;
+      for(Index v = 0; v < m_surface.points.size(); ++v)
+        if(is_inside(m_surface.points[v]))
+        {
+          region.vertices.push_back(v);
+          x_outer = std::max(x_outer, side * m_surface.points[v].x());
+        }
+      if(region.vertices.empty())
+        continue;
+      region.confidence = outline.certainty() * plausibility(box.center().y() - .02, .08);
+
+      const double front = box.max().x(), back = box.min().x() - s_behind_ear, top = box.max().y(),
+                   bottom = box.min().y() - .01;
+      const std::array<Eigen::Vector3d, 4> corners = {
+          Eigen::Vector3d(side * x_outer, top, front), Eigen::Vector3d(side * x_outer, top, back),
+          Eigen::Vector3d(side * x_outer, bottom, front), Eigen::Vector3d(side * x_outer, bottom, back)};
+      const auto feature = [&](std::size_t k)
+      {
+        return static_cast<Head_feature>(
+            static_cast<std::size_t>(side < 0 ? Head_feature::LEFT_R1 : Head_feature::RIGHT_R1) + k);
+      };
+      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+      for(std::size_t k = 0; k < 4; ++k)
+      {
+        const Surface_point nearest = nearest_point(region.vertices, corners[k]);
+        set(feature(k), nearest, region.confidence);
+        mean += nearest.position / 4.;
+      }
+      set(feature(4), nearest_point(region.vertices, mean), region.confidence);
+    }
+    // the ears of a head are at the same place
+    const auto &left = m_found[Head_feature::LEFT_R5], &right = m_found[Head_feature::RIGHT_R5];
+    if(left.is_found() && right.is_found())
+    {
+      const double agreement = plausibility((left.position() - right.position()).tail<2>().norm(), .06);
+      for(Found_head_features::Region* r :
+          {&m_found[Head_region::LEFT_EAR], &m_found[Head_region::RIGHT_EAR]})
+        r->confidence *= agreement;
+      for(std::size_t k = 0; k < 5; ++k)
+        for(const Head_feature f : {Head_feature::LEFT_R1, Head_feature::RIGHT_R1})
+          m_found.points[static_cast<std::size_t>(f) + k].confidence *= agreement;
+    }
+  }
+  static constexpr double s_behind_ear = .02, s_least_ear_x = .15;
+
+  // the point nearest to `p` of the triangles that have all their corners in a set
+  Surface_point nearest_point(const std::vector<Index>& vertices, const Eigen::Vector3d& p) const
+  {
+    std::vector<bool> is_in(m_surface.points.size(), false);
+    for(const Index v : vertices)
+      is_in[v] = true;
+    Surface_point best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for(std::size_t t = 0; t < m_surface.triangles.size(); ++t)
+    {
+      const auto& [a, b, c] = m_surface.triangles[t];
+      if(!is_in[a] || !is_in[b] || !is_in[c])
+        continue;
+      const Eigen::Vector3d q =
+          closest_point(p, m_surface.points[a], m_surface.points[b], m_surface.points[c]);
+      const double distance = (q - p).squaredNorm();
+      if(distance < nearest)
+      {
+        nearest = distance;
+        best.position = q;
+        best.triangle = t;
+      }
+    }
+    return best;
+  }
+
+  // of a triangle, to `p`
+  static Eigen::Vector3d closest_point(const Eigen::Vector3d& p,
+                                       const Eigen::Vector3d& a,
+                                       const Eigen::Vector3d& b,
+                                       const Eigen::Vector3d& c)
+  {
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    const double squared = n.squaredNorm();
+    if(squared > 0.)
+    {
+      const Eigen::Vector3d q = p - n * (n.dot(p - a) / squared);
+      if(n.dot((b - a).cross(q - a)) >= 0. && n.dot((c - b).cross(q - b)) >= 0. &&
+         n.dot((a - c).cross(q - c)) >= 0.)
+        return q;
+    }
+    Eigen::Vector3d best = a;
+    const auto try_edge = [&](const Eigen::Vector3d& s, const Eigen::Vector3d& t)
+    {
+      const double length = (t - s).squaredNorm();
+      const double x = length > 0. ? std::min(std::max((p - s).dot(t - s) / length, 0.), 1.) : 0.;
+      const Eigen::Vector3d q = s + x * (t - s);
+      if((q - p).squaredNorm() < (best - p).squaredNorm())
+        best = q;
+    };
+    try_edge(a, b);
+    try_edge(b, c);
+    try_edge(c, a);
+    return best;
+  }
+
+  // The regions in front are what lies within curves through their points, and not far behind what is seen there.
+  void find_regions()
+  {
+    for(const int side : {-1, 1})
+    {
+      const auto &outer = m_found[side < 0 ? Head_feature::LEFT_E1 : Head_feature::RIGHT_E1],
+                 &inner = m_found[side < 0 ? Head_feature::LEFT_E2 : Head_feature::RIGHT_E2];
+      if(!outer.is_found() || !inner.is_found())
+        continue;
+      const Eigen::Vector3d center = .5 * (outer.position() + inner.position());
+      const double width = std::abs(outer.position().x() - inner.position().x());
+      fill_region(side < 0 ? Head_region::LEFT_EYE : Head_region::RIGHT_EYE,
+                  [&](double u, double v)
+                  {
+                    return std::hypot((u - center.x()) / (.68 * width),
+                                      (v - center.y() - .06 * width) / (.45 * width)) < 1.;
+                  });
+      m_found[side < 0 ? Head_region::LEFT_EYE : Head_region::RIGHT_EYE].confidence =
+          std::min(outer.confidence, inner.confidence);
+    }
+
+    const auto &base = m_found[Head_feature::N1], &bridge = m_found[Head_feature::N3],
+               &root = m_found[Head_feature::N4];
+    if(base.is_found() && bridge.is_found() && root.is_found())
+    {
+      // half its width, by height
+      const std::array<std::pair<double, double>, 5> widths = {
+          std::pair(base.position().y(), .085), std::pair(-.03, .1), std::pair(.03, .095),
+          std::pair(bridge.position().y(), .08), std::pair(root.position().y(), .055)};
+      fill_region(Head_region::NOSE,
+                  [&](double u, double v)
+                  {
+                    for(std::size_t k = 0; k + 1 < widths.size(); ++k)
+                    {
+                      const auto& [v0, w0] = widths[k];
+                      const auto& [v1, w1] = widths[k + 1];
+                      if(v >= v0 && v <= v1 && v1 > v0)
+                        return std::abs(u - midline(v)) < w0 + (v - v0) / (v1 - v0) * (w1 - w0);
+                    }
+                    return false;
+                  });
+      m_found[Head_region::NOSE].confidence = std::min({base.confidence, bridge.confidence, root.confidence});
+    }
+
+    const auto &left = m_found[Head_feature::M1], &right = m_found[Head_feature::M2],
+               &upper = m_found[Head_feature::M3], &lower = m_found[Head_feature::M4];
+    if(left.is_found() && right.is_found() && upper.is_found() && lower.is_found())
+    {
+      const Eigen::Vector3d center = .5 * (left.position() + right.position());
+      const double half_width = .5 * (right.position() - left.position()).norm() + .02,
+                   above = std::max(upper.position().y() - center.y(), 0.) + .025,
+                   below = std::max(center.y() - lower.position().y(), 0.) + .025;
+      fill_region(Head_region::MOUTH,
+                  [&](double u, double v)
+                  {
+                    return std::hypot((u - center.x()) / half_width,
+                                      (v - center.y()) / (v > center.y() ? above : below)) < 1.;
+                  });
+      m_found[Head_region::MOUTH].confidence =
+          std::min({left.confidence, right.confidence, upper.confidence, lower.confidence});
+    }
+  }
+
+  template <typename Predicate>
+  void fill_region(Head_region region, const Predicate& is_inside)
+  {
+    constexpr double thickness = .1;
+    for(Index v = 0; v < m_surface.points.size(); ++v)
+    {
+      const Eigen::Vector3d& p = m_surface.points[v];
+      if(!is_inside(p.x(), p.y()))
+        continue;
+      const double front = m_view->depth(p.x(), p.y());
+      if(std::isnan(front) || p.z() > front - thickness)
+        m_found[region].vertices.push_back(v);
+    }
+  }
+
+  const Head_surface& m_original;
+  Eigen::Vector3d m_origin;
+  double m_unit;
+  Head_surface m_surface; // seen from the tip of the nose, in heights of the head
+  std::vector<Index> m_components;
+  std::optional<Face_view> m_view;
+  Found_head_features m_found;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_HEAD_FEATURE_FINDER_H
