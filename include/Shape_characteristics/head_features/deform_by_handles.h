@@ -83,8 +83,8 @@ inline std::vector<Deformed_vertex> deform_gaussian(const Face_graph_samples& su
   doesn't depend on the order of the handles, up to rounding. Handles that are to act one after the other are given in as many calls.
 
   The distance is measured over the surface: it doesn't jump over gaps such as that between the lips. It is exact where the surface
-  can be unfolded into the plane and no hole is on the way, and elsewhere a good deal better than that along edges; so it hardly
-  depends on the tessellation. Beyond \f$ 6 \sigma \f$ nothing moves.
+  can be unfolded into the plane and no hole is near the way, and elsewhere within a few percent of the shortest path, a good
+  deal better than that along edges; so it hardly depends on the tessellation. Beyond \f$ 6 \sigma \f$ nothing moves.
 
   Neither the unit nor the place of the mesh matters.
 

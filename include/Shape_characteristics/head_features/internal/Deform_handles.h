@@ -153,8 +153,8 @@ write_deformed(FaceGraph& mesh, const std::vector<Deformed_vertex>& deformed, co
                     !parameters::is_default_parameter<NamedParameters, internal_np::vertex_point_t>::value,
                 "a mesh that is const can't be deformed in place: give deformed_vertex_point_map");
 
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    CGAL::get_property_map(CGAL::vertex_point, mesh));
+  const auto vpm =
+      choose_parameter(get_parameter(np, internal_np::vertex_point), get(CGAL::vertex_point, mesh));
   const auto out = choose_parameter(get_parameter(np, internal_np::deformed_vertex_point_map), vpm);
   using Point_3 =
       typename boost::property_traits<std::remove_cv_t<std::remove_reference_t<decltype(out)> > >::value_type;

@@ -23,7 +23,8 @@ namespace internal {
 // tessellated): from the distances of two corners of a face, the source is unfolded into its plane, and gives the distance of the
 // others if the straight way there goes through between the two. That is exact on what can be unfolded altogether, and where the
 // way passes no corner of a border. A vertex whose distance becomes shorter later is taken up again, so that obtuse angles do no
-// harm. What isn't connected by faces is not reached.
+// harm; but only so often, since on surfaces that are nowhere smooth (Schwarz's lantern) this wouldn't come to an end soon. No
+// distance is shorter than the straight one through space. What isn't connected by faces is not reached.
 class Deform_surface_distances
 {
 public:
@@ -39,30 +40,32 @@ public:
   // `surface` with its faces; faces are taken for flat and convex
   explicit Deform_surface_distances(const Face_graph_samples& surface)
     : m_surface(surface),
-      m_distances(surface.size(), unreached)
+      m_distances(surface.size(), unreached),
+      m_visits(surface.size(), 0)
   {}
 
   // from `position`, which lies in a face of vertex `nearest` or is it; by the vertices' numbers
   std::vector<Entry> from(Index nearest, const Eigen::Vector3d& position, double reach)
   {
-    seed(nearest, (m_surface.point(nearest) - position).eval(), reach);
+    m_source = position;
+    offer(nearest, 0., reach);
     if(m_surface.point(nearest) != position)
     {
       const auto [begin, end] = m_surface.incident_faces(nearest);
       for(const Index* f = begin; f != end; ++f)
         for(std::size_t k = 0; k < m_surface.degree(*f); ++k)
-        {
-          const Index v = m_surface.vertex(*f, k);
-          seed(v, (m_surface.point(v) - position).eval(), reach);
-        }
+          offer(m_surface.vertex(*f, k), 0., reach);
     }
 
     while(!m_front.empty())
     {
       const Item item = m_front.top();
       m_front.pop();
-      if(item.first > m_distances[item.second])
-        continue; // reached on a shorter way since
+      if(item.first > m_distances[item.second]) // reached on a shorter way since
+        continue;
+      if(m_visits[item.second] == most_visits)
+        continue;
+      ++m_visits[item.second];
       const auto [begin, end] = m_surface.incident_faces(item.second);
       for(const Index* f = begin; f != end; ++f)
         cross(*f, item.second, reach);
@@ -75,6 +78,7 @@ public:
     {
       result.push_back({v, m_distances[v]});
       m_distances[v] = unreached;
+      m_visits[v] = 0;
     }
     m_reached.clear();
     return result;
@@ -84,15 +88,17 @@ private:
   using Item = std::pair<double, Index>;
   static constexpr double unreached = std::numeric_limits<double>::infinity();
   static constexpr double improvement = 1e-12; // relative; without it, rounding could go around in circles
+  static constexpr unsigned char most_visits = 16;
 
-  void seed(Index v, const Eigen::Vector3d& offset, double reach) { offer(v, length(offset), reach); }
-
+  // a way to `v` of some length, or, if it is shorter than possible, the straight one
   void offer(Index v, double distance, double reach)
   {
-    if(!(distance <= reach) || !m_surface.is_usable(v)) // NaN as well
-      return;
     double& best = m_distances[v];
-    if(!(distance < best * (1. - improvement)))
+    if(!(distance <= reach) || !(distance < best * (1. - improvement)) ||
+       !m_surface.is_usable(v)) // NaN as well
+      return;
+    distance = (std::max)(distance, length((m_surface.point(v) - m_source).eval()));
+    if(!(distance <= reach) || !(distance < best * (1. - improvement)))
       return;
     if(best == unreached)
       m_reached.push_back(v);
@@ -138,7 +144,9 @@ private:
   }
 
   const Face_graph_samples& m_surface;
-  std::vector<double> m_distances; // `unreached` between calls
+  Eigen::Vector3d m_source = Eigen::Vector3d::Zero();
+  std::vector<double> m_distances;     // `unreached` between calls
+  std::vector<unsigned char> m_visits; // 0 between calls
   std::vector<Index> m_reached;
   std::priority_queue<Item, std::vector<Item>, std::greater<Item>> m_front;
 };
