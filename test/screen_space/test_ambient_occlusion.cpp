@@ -177,12 +177,12 @@ BOOST_AUTO_TEST_CASE(wrong_arguments)
 
 BOOST_AUTO_TEST_CASE(extreme_of_a_picture)
 {
-  std::vector<float> picture(110, std::numeric_limits<float>::quiet_NaN()); // nine without an estimate
-  for(int i = 0; i <= 100; ++i)
+  std::vector<float> picture(1010, std::numeric_limits<float>::quiet_NaN()); // nine without an estimate
+  for(int i = 0; i <= 1000; ++i)
     picture[std::size_t(i)] = i % 2 ? float(i) : -float(i);
-  picture[105] = std::numeric_limits<float>::infinity();
-  BOOST_TEST(SC::mean_curvature_extreme(picture) == 95);
-  BOOST_TEST(SC::mean_curvature_extreme(picture, 1.) == 100);
+  picture[1005] = std::numeric_limits<float>::infinity();
+  BOOST_TEST(SC::mean_curvature_extreme(picture) == 999);
+  BOOST_TEST(SC::mean_curvature_extreme(picture, 1.) == 1000);
   BOOST_TEST(SC::mean_curvature_extreme(picture, 0.) == 0);
   BOOST_TEST(SC::mean_curvature_extreme(std::vector<double>(3, quiet_nan)) == 0);
   BOOST_TEST(SC::mean_curvature_extreme(std::vector<double>()) == 0);

@@ -33,7 +33,7 @@ namespace Shape_characteristics {
   \cgalExample{screen_space/ambient_occlusion.cpp}
 */
 template <typename NumberRange>
-double mean_curvature_extreme(const NumberRange& mean_curvatures, double share = 0.95)
+double mean_curvature_extreme(const NumberRange& mean_curvatures, double share = 0.999)
 {
   if(!(share >= 0 && share <= 1))
     throw std::invalid_argument("mean_curvature_extreme: `share` must be in [0, 1]");
