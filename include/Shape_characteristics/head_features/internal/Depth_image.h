@@ -4,6 +4,7 @@
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +133,13 @@ public:
   // What is seen at `(u, v)`; not valid if there is nothing.
   Surface_point point(double u, double v) const
   {
+    return point(u, v, [](int, int) { return true; });
+  }
+
+  // The same for the triangles of pixels of one kind; where they end, the point of theirs that is nearest in the image.
+  template <typename Predicate>
+  Surface_point point(double u, double v, const Predicate& accepts) const
+  {
     const int i0 = int(std::floor(column(u))), j0 = int(std::floor(row(v)));
     Surface_point best;
     double best_depth = -std::numeric_limits<double>::infinity(), best_violation = 1.5 * m_pixel;
@@ -139,7 +147,7 @@ public:
     for(int j = j0 - 1; j <= j0 + 2; ++j)
       for(int i = i0 - 1; i <= i0 + 2; ++i)
       {
-        if(!m_depth.contains(i, j) || triangle(i, j) == Surface_point::no_triangle)
+        if(!m_depth.contains(i, j) || triangle(i, j) == Surface_point::no_triangle || !accepts(i, j))
           continue;
         const std::size_t t = triangle(i, j);
         const Projected p = project(t);

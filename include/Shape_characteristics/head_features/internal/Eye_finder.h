@@ -45,7 +45,8 @@ public:
 
 private:
   static constexpr double s_half_width = .1, s_half_height = .062;
-  static constexpr double s_least_width = .05, s_greatest_width = .17;
+  static constexpr double s_least_width = .025, s_greatest_width = .17, s_usual_width = .105;
+  static constexpr double s_least_crease = 40.; // in 1 / height of the head
 
   struct Column
   {
@@ -93,8 +94,11 @@ private:
           found = true;
         }
       }
-    m_certainty = found ? 1. : 0.;
-    return found;
+    if(!found)
+      return false;
+    m_certainty = 1.;
+    follow_closed_lids();
+    return true;
   }
 
   bool take(const std::vector<std::pair<int, int> >& part)
@@ -125,12 +129,75 @@ private:
     return true;
   }
 
-  // the strongest creases above and below a line through the eye, column by column from its middle, as long as they last
-  bool find_creases() { return false; }
+  // An eye that is closed in part: its opening is too narrow. The crease between the lids leads to the outer corner.
+  void follow_closed_lids()
+  {
+    const double width = m_columns.back().u - m_columns.front().u;
+    if(width > .8 * s_usual_width)
+      return;
+    Column end = m_side < 0 ? m_columns.front() : m_columns.back();
+    double row = .5 * (m_view.row(end.low) + m_view.row(end.high));
+    std::vector<Column> lids;
+    for(int k = 1; k * Face_view::pixel < s_usual_width - width; ++k)
+    {
+      const int i = m_view.column(end.u) + m_side * k, j0 = int(std::lround(row));
+      int best = j0;
+      for(int j = j0 - 2; j <= j0 + 2; ++j)
+        if(m_view.crease(i, j) - .5 * std::abs(j - row) > m_view.crease(i, best) - .5 * std::abs(best - row))
+          best = j;
+      if(m_view.crease(i, best) < s_least_crease)
+        break;
+      row = best;
+      lids.push_back({m_view.u(i), m_view.v(best), m_view.v(best)});
+    }
+    if(m_side < 0)
+      m_columns.insert(m_columns.begin(), lids.rbegin(), lids.rend());
+    else
+      m_columns.insert(m_columns.end(), lids.begin(), lids.end());
+    m_certainty = .7;
+  }
+
+  // An eye of one piece with its lids. There is a crease where the lids meet the ball; the corners are its deepest places. Folds
+  // of the lids are as deep: what is near where lids usually are is taken.
+  bool find_creases()
+  {
+    const auto crease_near = [&](double u, double v, double reach_u, double reach_v)
+    {
+      return m_view.maximum(u - 2 * reach_u, u + 2 * reach_u, v - 2 * reach_v, v + 2 * reach_v,
+                            [&](int i, int j)
+                            {
+                              const double x = (m_view.u(i) - u) / reach_u, y = (m_view.v(j) - v) / reach_v;
+                              return m_view.crease(i, j) * std::exp(-.5 * (x * x + y * y));
+                            });
+    };
+    const Face_view::Extremum outer = crease_near(m_u + .059 * m_side, m_v + .001, .015, .015),
+                              inner = crease_near(m_u - .059 * m_side, m_v - .009, .015, .015);
+    if(outer.value < s_least_crease || inner.value < s_least_crease ||
+       (outer.u - inner.u) * m_side < .5 * s_usual_width)
+      return false;
+    m_columns.clear();
+    double weakest = outer.value;
+    const int i_first = m_view.column(std::min(outer.u, inner.u)),
+              i_last = m_view.column(std::max(outer.u, inner.u));
+    for(int i = i_first; i <= i_last; ++i)
+    {
+      const double t = (m_view.u(i) - outer.u) / (inner.u - outer.u), v = outer.v + t * (inner.v - outer.v),
+                   arch = 4 * t * (1 - t);
+      const Face_view::Extremum high = crease_near(m_view.u(i), v + .026 * arch, Face_view::pixel,
+                                                   .002 + .008 * arch),
+                                low = crease_near(m_view.u(i), v - .012 * arch, Face_view::pixel,
+                                                  .002 + .008 * arch);
+      m_columns.push_back({m_view.u(i), low.v, high.v});
+      if(t > .2 && t < .8)
+        weakest = std::min({weakest, high.value, low.value});
+    }
+    m_certainty = weakest > .25 * s_least_crease ? .4 : .2;
+    m_is_whole = true;
+    return true;
+  }
 
   Eye_outline outline() const
   {
-    // Both ends, with the direction in which the opening becomes narrower: across its last tenth.
     const double width = m_columns.back().u - m_columns.front().u + Face_view::pixel;
     const auto middle = [](const Column& c) { return .5 * (c.low + c.high); };
     const bool outer_first = m_side < 0;
@@ -139,9 +206,9 @@ private:
     Eye_outline result;
     result.certainty = m_certainty;
     // The lids meet a little beyond the end of what is seen of the ball; at the inner corner the caruncle is in between.
-    const double outwards = m_side * width;
+    const double outwards = m_is_whole ? 0. : m_side * width, drop = m_is_whole ? 0. : s_inner_drop * width;
     result.outer_corner = {outer.u + s_outer_margin * outwards, middle(outer)};
-    result.inner_corner = {inner.u - s_inner_margin * outwards, middle(inner) - s_inner_drop * width};
+    result.inner_corner = {inner.u - s_inner_margin * outwards, middle(inner) - drop};
     for(std::size_t k = 0; k < 2; ++k)
     {
       const double upper = s_upper_places[k], lower = s_lower_places[k];
@@ -190,6 +257,7 @@ private:
   double m_u, m_v;
   std::vector<Column> m_columns; // from left to right
   double m_certainty = 0.;
+  bool m_is_whole = false; // the columns reach from corner to corner
 };
 
 } // namespace internal

@@ -85,13 +85,11 @@ public:
   // the skin that is seen at `(u, v)`, or next to it if something else is
   Surface_point skin_point(double u, double v) const
   {
+    const auto accepts = [&](int i, int j) { return is_skin(i, j); };
     const int i0 = column(u), j0 = row(v);
-    if(is_skin(i0, j0))
-    {
-      const Surface_point p = m_image.point(u, v);
-      if(p.is_valid() && is_skin_triangle(p.triangle))
-        return p;
-    }
+    const Surface_point here = m_image.point(u, v, accepts);
+    if(here.is_valid())
+      return here;
     double nearest = std::numeric_limits<double>::infinity();
     int i_best = -1, j_best = -1;
     constexpr int reach = 8;
@@ -106,7 +104,7 @@ public:
           j_best = j;
         }
       }
-    return i_best < 0 ? Surface_point() : m_image.point(this->u(i_best), this->v(j_best));
+    return i_best < 0 ? Surface_point() : m_image.point(this->u(i_best), this->v(j_best), accepts);
   }
 
   // The greatest value of a function of the pixels of a window, and where: `(u, v)` by a parabola through it and its neighbors.
@@ -158,24 +156,18 @@ private:
     return int(std::lround(std::min(std::max(x, 0.), double(size - 1))));
   }
 
-  bool is_skin_triangle(std::size_t t) const
-  {
-    return (*m_components)[m_surface.triangles[t][0]] == m_skin_component;
-  }
-
   // Skin is what can be reached from the tip of the nose in the image without a step in depth: lids end where the ball of the
   // eye or a hole begins, lips where the mouth is open.
   void find_skin(const std::vector<Head_surface::Index>& components)
   {
     constexpr double steepest = 4.; // of a slope
-    m_components = &components;
     const int i0 = column(0.), j0 = row(0.);
     if(is_empty(i0, j0))
       return;
     const auto component = [&](int i, int j)
     { return components[m_surface.triangles[m_image.triangle(i, j)][0]]; };
     const auto index = [&](int i, int j) { return std::size_t(j) * std::size_t(columns()) + std::size_t(i); };
-    m_skin_component = component(i0, j0);
+    const Head_surface::Index skin = component(i0, j0);
     std::vector<std::pair<int, int> > stack = {{i0, j0}};
     m_is_skin[index(i0, j0)] = true;
     const Scalar_image& z = m_image.depth();
@@ -187,7 +179,7 @@ private:
           {std::pair(i + 1, j), std::pair(i - 1, j), std::pair(i, j + 1), std::pair(i, j - 1)})
       {
         if(is_empty(a, b) || m_is_skin[index(a, b)] || std::abs(z(a, b) - z(i, j)) > steepest * pixel ||
-           component(a, b) != m_skin_component)
+           component(a, b) != skin)
           continue;
         m_is_skin[index(a, b)] = true;
         stack.push_back({a, b});
@@ -200,8 +192,6 @@ private:
   Scalar_image m_smooth;
   Range_image_curvature m_curvature;
   std::vector<bool> m_is_skin;
-  const std::vector<Head_surface::Index>* m_components = nullptr;
-  Head_surface::Index m_skin_component = 0;
 };
 
 } // namespace internal

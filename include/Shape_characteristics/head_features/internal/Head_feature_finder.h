@@ -191,25 +191,24 @@ private:
                                                : s_distance_of_eyes;
   }
 
-  // x of the midline at the height v: through the tip of the nose and between the eyes, or between the corners of the mouth
+  // x of the midline at the height v: through the tip of the nose, above it to the middle between the eyes, and below it at a right
+  // angle to the line through the eyes (the mouth may be drawn to one side)
   double midline(double v) const
   {
-    const auto between = [&](Head_feature a, Head_feature b, double& u, double& height)
-    {
-      if(!m_found[a].is_found() || !m_found[b].is_found())
-        return false;
-      const Eigen::Vector3d middle = .5 * (m_found[a].position() + m_found[b].position());
-      u = middle.x();
-      height = middle.y();
-      return true;
-    };
     const Eigen::Vector3d& tip = m_found[Head_feature::NOSE_TIP].position();
-    double u = 0., height = 0.;
-    const bool is_known = v > tip.y() ? between(Head_feature::LEFT_E2, Head_feature::RIGHT_E2, u, height)
-                                      : between(Head_feature::M1, Head_feature::M2, u, height);
-    if(!is_known || std::abs(height - tip.y()) < .05)
+    const auto &l1 = m_found[Head_feature::LEFT_E1], &l2 = m_found[Head_feature::LEFT_E2],
+               &r1 = m_found[Head_feature::RIGHT_E1], &r2 = m_found[Head_feature::RIGHT_E2];
+    if(!l1.is_found() || !l2.is_found() || !r1.is_found() || !r2.is_found())
       return tip.x();
-    return tip.x() + (v - tip.y()) / (height - tip.y()) * (u - tip.x());
+    if(v > tip.y())
+    {
+      const Eigen::Vector3d middle = .5 * (l2.position() + r2.position());
+      return middle.y() - tip.y() < .05
+                 ? tip.x()
+                 : tip.x() + (v - tip.y()) / (middle.y() - tip.y()) * (middle.x() - tip.x());
+    }
+    const Eigen::Vector3d across = r1.position() + r2.position() - l1.position() - l2.position();
+    return tip.x() - (v - tip.y()) * across.y() / across.x();
   }
 
   double profile(double v) const { return m_view->depth(midline(v), v); }
@@ -299,13 +298,28 @@ private:
       set_on_midline(Head_feature::N3, bridge, m_found[Head_feature::N4].confidence);
     }
 
-    // the base of the nose is where the profile turns from the nose into the lip
-    const auto bend = [&](double v) { return concavity([&](double w) { return profile(w); }, v, .004); };
-    const double base =
-        greatest(-.1, -.045, [&](double v) { return bend(v) * plausibility(v + s_base, .008); });
-    set_on_midline(Head_feature::N1, base, bend(base) > 0. ? 1. : .3);
-
+    find_base_of_nose();
     find_chin();
+  }
+
+  // The base of the nose is where the profile turns from the nose into the lip: the center of its bend, which is steadier than
+  // where it is bent most.
+  void find_base_of_nose()
+  {
+    double sum = 0., weights = 0., expected = s_base;
+    if(m_found[Head_feature::M3].is_found()) // which a smile draws upwards, less than the lip
+      expected = .5 * s_base + .5 * .545 *
+                                   (m_found[Head_feature::NOSE_TIP].position().y() -
+                                    m_found[Head_feature::M3].position().y());
+    for(double v = -.1; v < -.045; v += .001)
+    {
+      const double bend = concavity([&](double w) { return profile(w); }, v, .006);
+      const double weight = std::isnan(bend) ? 0. : std::max(bend, 0.) * plausibility(v + expected, .007);
+      sum += weight * v;
+      weights += weight;
+    }
+    if(weights > 0.)
+      set_on_midline(Head_feature::N1, sum / weights, 1.);
   }
 
   // The chin bulges between the fold below the lower lip and the lower end of the jaw, where a plane that leans against it from
