@@ -302,24 +302,21 @@ private:
     find_chin();
   }
 
-  // The base of the nose is where the profile turns from the nose into the lip: the center of its bend, which is steadier than
-  // where it is bent most.
+  // The base of the nose is where the profile turns from the nose into the lip: farthest behind the chord from the tip to the
+  // upper lip, and a little above that.
   void find_base_of_nose()
   {
-    double sum = 0., weights = 0., expected = s_base;
-    if(m_found[Head_feature::M3].is_found()) // which a smile draws upwards, less than the lip
-      expected = .5 * s_base + .5 * .545 *
-                                   (m_found[Head_feature::NOSE_TIP].position().y() -
-                                    m_found[Head_feature::M3].position().y());
-    for(double v = -.1; v < -.045; v += .001)
-    {
-      const double bend = concavity([&](double w) { return profile(w); }, v, .006);
-      const double weight = std::isnan(bend) ? 0. : std::max(bend, 0.) * plausibility(v + expected, .007);
-      sum += weight * v;
-      weights += weight;
-    }
-    if(weights > 0.)
-      set_on_midline(Head_feature::N1, sum / weights, 1.);
+    const auto& lip = m_found[Head_feature::M3];
+    const Eigen::Vector3d& tip = m_found[Head_feature::NOSE_TIP].position();
+    const double end = lip.is_found() ? lip.position().y() : tip.y() - .13, z_tip = profile(tip.y()),
+                 z_end = profile(end);
+    const double turn = greatest(end + .02, tip.y() - .02,
+                                 [&](double v)
+                                 {
+                                   const double t = (v - tip.y()) / (end - tip.y());
+                                   return (1 - t) * z_tip + t * z_end - profile(v);
+                                 });
+    set_on_midline(Head_feature::N1, turn + .0045, plausibility(turn - tip.y() + s_base, .03));
   }
 
   // The chin bulges between the fold below the lower lip and the lower end of the jaw, where a plane that leans against it from
