@@ -45,7 +45,7 @@ using Status = SC::Estimation_status;
 
 namespace {
 
-const float nan = std::numeric_limits<float>::quiet_NaN();
+const float no_number = std::numeric_limits<float>::quiet_NaN();
 
 support::Offscreen_context& context()
 {

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -78,13 +79,13 @@ public:
             is_usable = std::abs(p.z()) <= 2.f && !std::isnan(n.x());
             if(is_usable)
             {
-              const float t = 1.f - float(squared) / (radius * radius), weight = t * t;
+              const float t = (std::max)(1.f - p.dot(p), 0.f), weight = t * t;
               sum += weight;
               sum_p += weight * p;
               sum_n += weight * n;
               sum_pn += weight * p.dot(n);
               sum_pp += weight * p.dot(p);
-              ++count;
+              count += t > 0.f;
             }
           }
         }
@@ -123,8 +124,8 @@ private:
   \ingroup PkgShapeCharacteristicsScreenSpace
 
   estimates the mean curvatures of what a picture shows, at each of its pixels, by the method of Mellado et al. \cgalCite{mellado} (thesis,
-  section 5.4.1): the sphere that fits best to the points and normals of the pixels within a radius. Nearer pixels weigh more; those whose
-  distance from the eye differs by more than twice the radius, as it is in the scene, don't count.
+  section 5.4.1): the sphere that fits best to the points and normals in a ball around the pixel's. The radius is given in pixels; how large it
+  is in the scene depends on the distance. Nearer points weigh more.
 
   A baseline for `screen_space_curvatures()`, which tells principal curvatures as well, at the cost of five pixels instead of some two
   hundred. It smooths: details smaller than the radius are lost, and near silhouettes and creases the sphere is fitted to both sides.
@@ -148,12 +149,12 @@ private:
     \cgalParamNEnd
     \cgalParamNBegin{status_map}
       \cgalParamDescription{a property map in which is written whether each pixel has a value and if not why. Background is `UNREFERENCED`; `BORDER`
-                            says that pixels within the radius didn't count.}
+                            says that there are pixels within the radius that show no surface, or one far behind or in front.}
       \cgalParamType{a model of `WritablePropertyMap` with value type `Estimation_status`}
       \cgalParamDefault{not written}
     \cgalParamNEnd
     \cgalParamNBegin{pixel_radius}
-      \cgalParamDescription{pixels that are less than so many pixels away take part, 2 to 64}
+      \cgalParamDescription{the radius of the ball, in pixels, 2 to 64}
       \cgalParamType{`int`}
       \cgalParamDefault{`8`}
     \cgalParamNEnd

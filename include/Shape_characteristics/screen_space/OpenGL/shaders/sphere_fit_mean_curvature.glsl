@@ -9,7 +9,7 @@
 //   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (8, 8)
 //
 // Inputs: as those of screen_space_curvature.glsl, and
-//   sc_radius               pixels that are less than sc_radius away take part
+//   sc_radius               the ball around the point that sc_radius pixels span there is fitted
 // Output:
 //   fragment shader: out vec4 at location 0; compute shader: image2D sc_result (rgba32f) at binding 0
 //     x, y  mean curvature, in 1/unit of the scene, convex is positive
@@ -96,13 +96,13 @@ vec4 sc_sphere_curvature(ivec2 center)
             vec3 p = vec3(sc_pixel.xy * vec2(dx, dy) / radius +
                               sc_pixel.w * away * (sc_rays.xy + sc_rays.zw * vec2(pixel)),
                           -away);
-            float t = 1 - float(squared) / (radius * radius), weight = t * t;
+            float t = max(1 - dot(p, p), 0), weight = t * t;
             sum += weight;
             sum_p += weight * p;
             sum_n += weight * normal.xyz;
             sum_pn += weight * dot(p, normal.xyz);
             sum_pp += weight * dot(p, p);
-            ++count;
+            count += int(t > 0);
           }
         }
       }
