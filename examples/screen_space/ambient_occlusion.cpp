@@ -129,7 +129,7 @@ int run(const std::vector<std::string>& arguments)
   for(const auto v : mesh.vertices())
     box += mesh.point(v).bbox();
   support::Orbit_camera view(box, support::camera_for(input));
-  view.move(0.75);
+  view.move(0.85);
   const double diagonal = 2 * view.radius();
 
   // depths and normals, and curvature of them; twice as fine as the picture

@@ -107,19 +107,30 @@ Offscreen_context::Offscreen_context()
   const char* client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
   if(has_word(client, "EGL_EXT_platform_base"))
   {
-    if(has_word(client, "EGL_MESA_platform_surfaceless"))
-      candidates.push_back(
-          {"Mesa's surfaceless platform",
-           eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
-    if(has_word(client, "EGL_EXT_platform_device") &&
-       (has_word(client, "EGL_EXT_device_enumeration") || has_word(client, "EGL_EXT_device_base")))
+    const auto add_surfaceless = [&]
     {
-      EGLDeviceEXT devices[16];
-      EGLint count = 0;
-      if(eglQueryDevicesEXT(16, devices, &count))
-        for(EGLint i = 0; i < count; ++i)
+      if(has_word(client, "EGL_MESA_platform_surfaceless"))
+        candidates.push_back(
+            {"Mesa's surfaceless platform",
+             eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr)});
+    };
+    EGLDeviceEXT devices[16];
+    EGLint count = 0;
+    if(!has_word(client, "EGL_EXT_platform_device") ||
+       !(has_word(client, "EGL_EXT_device_enumeration") || has_word(client, "EGL_EXT_device_base")) ||
+       !eglQueryDevicesEXT(16, devices, &count))
+      count = 0;
+    const bool tells_kinds =
+        has_word(client, "EGL_EXT_device_query") || has_word(client, "EGL_EXT_device_base");
+    for(const bool is_hardware : {true, false})
+    {
+      for(EGLint i = 0; i < count; ++i)
+        if((tells_kinds && !has_word(eglQueryDeviceStringEXT(devices[i], EGL_EXTENSIONS),
+                                     "EGL_MESA_device_software")) == is_hardware)
           candidates.push_back({"EGL device " + std::to_string(i),
                                 eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, devices[i], nullptr)});
+      if(is_hardware)
+        add_surfaceless();
     }
   }
   candidates.push_back({"the default display", eglGetDisplay(EGL_DEFAULT_DISPLAY)});

@@ -8,8 +8,8 @@ namespace support {
 /// An OpenGL core context without a window, through EGL: neither a display nor a GPU is needed, Mesa's
 /// software renderer will do.
 ///
-/// Tried in this order: Mesa's surfaceless platform, each EGL device, the default display; the first that
-/// gives OpenGL 4.3 or later is taken. OpenGL functions are called through `<epoxy/gl.h>`.
+/// Tried in this order: each EGL device that is a GPU, Mesa's surfaceless platform, each other EGL device, the
+/// default display; the first that gives OpenGL 4.3 or later is taken. OpenGL functions are called through `<epoxy/gl.h>`.
 class Offscreen_context
 {
 public:
