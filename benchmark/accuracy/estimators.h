@@ -6,8 +6,11 @@
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
+#include <Shape_characteristics/curvature/meyer_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
+#include <Shape_characteristics/curvature/taubin_curvatures.h>
+#include <Shape_characteristics/curvature/theisel_curvatures.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric_cubic.h>
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
@@ -141,6 +144,21 @@ inline void tangent_space(const Task& t)
   SC::tangent_space_curvatures(t.mesh, t.parameters());
 }
 
+inline void theisel(const Task& t)
+{
+  SC::theisel_curvatures(t.mesh, t.parameters());
+}
+
+inline void meyer(const Task& t)
+{
+  SC::meyer_curvatures(t.mesh, t.parameters());
+}
+
+inline void taubin(const Task& t)
+{
+  SC::taubin_curvatures(t.mesh, t.parameters());
+}
+
 /// The estimators that are compared: a new one is a new line here.
 ///
 /// The inverse multiquadric of Table 8.7 is fitted as a positive-definite basis, with a shape parameter that follows the
@@ -163,6 +181,9 @@ inline const std::vector<Estimator>& estimators()
       {"HRBF default", "3 rings", everywhere(), hrbf_default(3)},
       {"Rusinkiewicz", "1 ring", everywhere("Rus"), rusinkiewicz},
       {"tangent space", "1 ring", everywhere(), tangent_space},
+      {"Theisel", "1 ring", everywhere(), theisel},
+      {"Meyer", "1 ring", everywhere(), meyer},
+      {"Taubin", "1 ring", everywhere(), taubin},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
       {"jet d=2", "4 rings", everywhere(), jet(2, 4)},
       {"jet d=4", "2 rings", everywhere(), jet(4, 2)},

@@ -6,8 +6,11 @@
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/interpolated_corrected_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
+#include <Shape_characteristics/curvature/meyer_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
+#include <Shape_characteristics/curvature/taubin_curvatures.h>
+#include <Shape_characteristics/curvature/theisel_curvatures.h>
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -74,6 +77,22 @@ void tangent_space(Workload& w, unsigned int threads)
 {
   on_threads(threads,
              [&](auto tag) { SC::tangent_space_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void theisel(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::theisel_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void meyer(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag) { SC::meyer_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void taubin(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag) { SC::taubin_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
 }
 
 void goldfeather_interrante(Workload& w, unsigned int threads)
@@ -167,6 +186,9 @@ const std::vector<Estimator>& estimators()
       thesis_path(2),
       {"Rusinkiewicz", "1 ring", false, rusinkiewicz},
       {"tangent space", "1 ring", false, tangent_space},
+      {"Theisel", "1 ring", false, theisel},
+      {"Meyer", "1 ring", false, meyer},
+      {"Taubin", "1 ring", false, taubin},
       {"Goldfeather-Interrante", "2 rings", false, goldfeather_interrante},
 #ifdef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
       {"interpolated corrected", "1 ring", false, interpolated_corrected},
