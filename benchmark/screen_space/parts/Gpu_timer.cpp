@@ -2,7 +2,7 @@
 
 #include "Table.h"
 
-#include <Shape_characteristics/screen_space/OpenGL/internal/Gl_program.h>
+#include <support/gl_program.h>
 
 #include <epoxy/gl.h>
 
@@ -70,8 +70,7 @@ void main()
 }
 )";
   const int size = is_software_renderer() ? 2048 : 8192;
-  const Shape_characteristics::internal::Gl_program program("measured_bandwidth",
-                                                            {{GL_COMPUTE_SHADER, shader}});
+  const unsigned program = support::gl_program({{GL_COMPUTE_SHADER, shader}});
   GLuint textures[2];
   glGenTextures(2, textures);
   for(const GLuint t : textures)
@@ -85,7 +84,7 @@ void main()
   }
   glBindTexture(GL_TEXTURE_2D, textures[0]);
   glBindSampler(0, 0);
-  glUseProgram(program.name());
+  glUseProgram(program);
   glBindImageTexture(0, textures[1], 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
   const Frame_time time = time_of(
       [&]
@@ -97,6 +96,7 @@ void main()
   glUseProgram(0);
   glBindTexture(GL_TEXTURE_2D, 0);
   glDeleteTextures(2, textures);
+  glDeleteProgram(program);
   const double ms = is_software_renderer() ? time.wall : time.gpu;
   return 32. * double(size) * double(size) / (1e6 * ms);
 }
