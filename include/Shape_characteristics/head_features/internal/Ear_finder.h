@@ -79,7 +79,7 @@ public:
 
   Ear_outline find() const
   {
-    const Range_image_curvature curvature(m_image.depth().smoothed(.005 / s_pixel), s_pixel);
+    const Range_image_curvature curvature(m_image.depth().smoothed(.007 / s_pixel), s_pixel);
     const int columns = m_image.depth().width(), rows = m_image.depth().height();
     const auto is_fold = [&](int i, int j)
     { return curvature.max.has_value(i, j) && curvature.max(i, j) > s_fold; };
@@ -147,7 +147,36 @@ private:
     const double height = y_max - y_min, width = z_max - z_min;
     if(height < .13 || height > .38 || width < .06 || width > .24 || width > height)
       return 0.;
-    return 1.;
+    return stands_out(hull, .5 * (z_min + z_max), .5 * (y_min + y_max));
+  }
+
+  // at what part of its back and its top an ear is nearer to the eye than the head behind it, up to 1 if it is at most places
+  double stands_out(const std::vector<Ear_outline::Point_2>& hull, double z_middle, double y_middle) const
+  {
+    constexpr double step = .012, inside = .01, outside = .025;
+    double places = 0., steps = 0.;
+    for(std::size_t k = 0; k < hull.size(); ++k)
+    {
+      const Ear_outline::Point_2 &a = hull[k], &b = hull[(k + 1) % hull.size()];
+      const double z = .5 * (a.x() + b.x()), y = .5 * (a.y() + b.y()), dz = z - z_middle, dy = y - y_middle,
+                   distance = std::hypot(dz, dy), length = std::hypot(b.x() - a.x(), b.y() - a.y());
+      if(dz > 0. || !(distance > 0.))
+        continue;
+      const double in = depth(z - inside * dz / distance, y - inside * dy / distance),
+                   out = depth(z + outside * dz / distance, y + outside * dy / distance);
+      places += length;
+      if(in - out > step) // nothing is behind the ear of a scan
+        steps += length;
+      else if(!std::isnan(in) && std::isnan(out))
+        steps += .5 * length;
+    }
+    return places > 0. && steps > .4 * places ? std::min(1., 1.25 * steps / places) : 0.;
+  }
+
+  double depth(double z, double y) const
+  {
+    const int i = int(std::lround(m_image.column(-m_side * z))), j = int(std::lround(m_image.row(y)));
+    return m_image.depth().contains(i, j) ? m_image.depth()(i, j) : std::numeric_limits<double>::quiet_NaN();
   }
 
   int m_side;

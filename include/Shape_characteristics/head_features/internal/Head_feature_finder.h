@@ -530,7 +530,7 @@ private:
         continue;
       const Eigen::Vector3d center = .5 * (outer.position() + inner.position());
       const double width = std::abs(outer.position().x() - inner.position().x());
-      fill_region(side < 0 ? Head_region::LEFT_EYE : Head_region::RIGHT_EYE,
+      fill_region(side < 0 ? Head_region::LEFT_EYE : Head_region::RIGHT_EYE, center.z(),
                   [&](double u, double v)
                   {
                     return std::hypot((u - center.x()) / (.68 * width),
@@ -548,7 +548,7 @@ private:
       const std::array<std::pair<double, double>, 5> widths = {
           std::pair(base.position().y(), .085), std::pair(-.03, .1), std::pair(.03, .095),
           std::pair(bridge.position().y(), .08), std::pair(root.position().y(), .055)};
-      fill_region(Head_region::NOSE,
+      fill_region(Head_region::NOSE, std::min(base.position().z(), root.position().z()),
                   [&](double u, double v)
                   {
                     for(std::size_t k = 0; k + 1 < widths.size(); ++k)
@@ -571,7 +571,7 @@ private:
       const double half_width = .5 * (right.position() - left.position()).norm() + .02,
                    above = std::max(upper.position().y() - center.y(), 0.) + .025,
                    below = std::max(center.y() - lower.position().y(), 0.) + .025;
-      fill_region(Head_region::MOUTH,
+      fill_region(Head_region::MOUTH, center.z(),
                   [&](double u, double v)
                   {
                     return std::hypot((u - center.x()) / half_width,
@@ -582,8 +582,9 @@ private:
     }
   }
 
+  // `z_min`: of the points of the region
   template <typename Predicate>
-  void fill_region(Head_region region, const Predicate& is_inside)
+  void fill_region(Head_region region, double z_min, const Predicate& is_inside)
   {
     constexpr double thickness = .1;
     for(Index v = 0; v < m_surface.points.size(); ++v)
@@ -592,7 +593,7 @@ private:
       if(!is_inside(p.x(), p.y()))
         continue;
       const double front = m_view->depth(p.x(), p.y());
-      if(std::isnan(front) || p.z() > front - thickness)
+      if(p.z() > (std::isnan(front) ? z_min : std::max(z_min, front)) - thickness)
         m_found[region].vertices.push_back(v);
     }
   }
