@@ -1,7 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_SCREEN_SPACE_HATTORI_AMBIENT_OCCLUSION_H
 #define SHAPE_CHARACTERISTICS_SCREEN_SPACE_HATTORI_AMBIENT_OCCLUSION_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cmath>

@@ -55,7 +55,7 @@ struct Gl_ambient_occlusion
   It takes what `Screen_space_curvature_pass` returns, and needs nothing but a current OpenGL context, 4.3 core or later. What it changes of OpenGL's state it gives
   back, and nothing is allocated from one picture to the next of the same size. Shaders are compiled when a mapping is first used.
 
-  Results differ from those of the mappings on the CPU by no more than \f$ 2^{-16} \f$ for the same curvatures, as long as those are far from
+  Results differ from those of the mappings on the CPU by no more than \f$ 2^{-20} \f$ for the same curvatures, as long as those are far from
   overflow.
 
   The shader, OpenGL/shaders/ambient_occlusion.glsl, stands alone and can be used without this class: as a library it joins the shader of
