@@ -12,9 +12,9 @@ enum class Depth_discontinuity_rule : unsigned char
 {
   /// pixels belong together if both show a surface
   NONE,
-  /// the thesis's equation 7.13: a neighbor whose window depth differs by more than 1/f, with f the distance of the far plane, at
-  /// least 100, is replaced by that one pixel away. It depends on the unit of length, on the far plane and on the near plane, and pixels next to
-  /// a silhouette keep the neighbor on the other surface.
+  /// the thesis's equation 7.13: a neighbor whose depth differs by more than 1/f, with f the distance of the far plane, at least 100, and depths
+  /// the distance divided by that of the far plane, is replaced by that one pixel away. So a gap is what is wider than 1, if the far plane is beyond 100,
+  /// whatever the unit of length; and pixels next to a silhouette keep their neighbor on the other surface.
   FAR_PLANE,
   /// ours: points `p`, `q` with normals `m`, `n` belong to different surfaces if the edge `q - p` is long, more than twice the distance of the pixels at that
   /// depth, and neither lies along the surface: \f$ |(m + n) \cdot (q - p)| > |q - p| / 2 \f$. On a smooth surface the sum vanishes to third order, however

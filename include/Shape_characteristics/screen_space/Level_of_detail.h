@@ -29,8 +29,10 @@ public:
   /// a step of one pixel everywhere
   static Level_of_detail none() { return Level_of_detail(); }
 
-  /// the thesis's equation 7.12: \f$ \lfloor s f^{-2d} + 1 \rfloor \f$ pixels, where `d` is the window depth in [0, 1], f the distance of the camera's far plane,
-  /// at least 100, and s is `size`, in (0, 31]. What it means depends on the unit of length and on both planes.
+  /// the thesis's equation 7.12: \f$ \lfloor s f^{-2d} + 1 \rfloor \f$ pixels, where f is the distance of the camera's far plane, at least
+  /// 100, d the distance from the eye divided by that of the far plane, and s is `size`, in (0, 31]. What it means depends on the unit of
+  /// length and on the far plane. (The thesis doesn't say whether d is linear. If it were window depth, hardly anything beyond the near plane would
+  /// get more than one pixel.)
   /// \throws std::invalid_argument if `size` is out of its range
   static Level_of_detail by_depth(double size)
   {
@@ -83,10 +85,12 @@ public:
         break;
       case Kind::BY_DEPTH:
       { // s f^(-2d) >= step - 1
-        const double f = (std::max)(camera.far_plane(), 100.);
-        const double d = std::log(m_size / (step - 1)) / (2. * std::log(f));
-        if(d >= 0.)
-          limit = depth_of_window_depth(camera, d);
+        const double far = camera.far_plane();
+        if(std::isinf(far))
+          limit = step - 1 <= m_size ? -never : never; // d is 0
+        else if(step - 1 <= m_size)
+          limit =
+              clamped(camera, far * std::log(m_size / (step - 1)) / (2. * std::log((std::max)(far, 100.))));
         break;
       }
       case Kind::BY_LENGTH:
@@ -119,16 +123,7 @@ private:
   Level_of_detail() = default;
   Level_of_detail(Kind kind, double size) : m_kind(kind), m_size(size) {}
 
-  // the depth, as the camera stores it, of what has the window depth `d`, 0 at the near plane
-  static double depth_of_window_depth(const Camera& camera, double d)
-  {
-    if(camera.depth_convention() != Depth_convention::EYE_DISTANCE)
-      return camera.depth_grows() ? d : 1. - d;
-    const Camera window(camera.view(), camera.projection(), Depth_convention::WINDOW_DEPTH);
-    return window.distance(window.depth_grows() ? d : 1. - d);
-  }
-
-  // nothing that is seen is nearer than the near plane
+  // the depth of a distance; nothing that is seen is nearer than the near plane
   static double clamped(const Camera& camera, double distance)
   {
     return camera.depth((std::max)(distance, 0.5 * camera.near_plane()));

@@ -87,7 +87,7 @@ private:
   struct Variant
   {
     internal::Gl_pixel_program program;
-    GLint largest_depth_difference = -1, largest_step = -1, step_table = -1;
+    GLint largest_distance_difference = -1, largest_step = -1, step_table = -1;
   };
 
   void run(const G_buffer_textures& g, unsigned target, const internal::Screen_space_options& options)
@@ -104,12 +104,12 @@ private:
           define("SC_TRIANGLES", pass.number_of_triangles) + define("SC_EDGES", pass.number_of_edges) +
               define("SC_RULE", int(pass.rule)) + define("SC_LEVEL_OF_DETAIL", int(has_levels)),
           internal::screen_space_curvature_shader);
-      v.largest_depth_difference = v.program.program.uniform("sc_largest_depth_difference");
+      v.largest_distance_difference = v.program.program.uniform("sc_largest_distance_difference");
       v.largest_step = v.program.program.uniform("sc_largest_step");
       v.step_table = v.program.program.uniform("sc_step_table");
     }
     const GLuint name = v.program.program.name();
-    glProgramUniform1f(name, v.largest_depth_difference, pass.largest_depth_difference);
+    glProgramUniform1f(name, v.largest_distance_difference, pass.largest_distance_difference);
     glProgramUniform1i(name, v.largest_step, pass.largest_step);
     glProgramUniform1fv(name, v.step_table, GLsizei(pass.step_table.size()), pass.step_table.data());
     m_pass.run(v.program, g, pass.frame, target);

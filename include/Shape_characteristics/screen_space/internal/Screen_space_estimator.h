@@ -162,8 +162,8 @@ private:
     result.edge = m_pass.frame.edge(c.depth, c.footprint, depth, x, y, dx, dy);
     result.normal_change = normal - c.normal;
     if(m_pass.rule == Depth_discontinuity_rule::FAR_PLANE)
-      result.is_usable = (std::abs(dx) == 1 || std::abs(dy) == 1) || // the last resort
-                         !(std::abs(c.depth - depth) > m_pass.largest_depth_difference);
+      result.is_usable = std::abs(dx) == 1 || std::abs(dy) == 1 || // the last resort
+                         !(std::abs(result.edge.z()) * c.footprint > m_pass.largest_distance_difference);
     else if(m_pass.rule == Depth_discontinuity_rule::TANGENT_PLANES)
     {
       const float across = m_pass.frame.pixel_edge[0] * float(dx),

@@ -53,13 +53,9 @@ struct Screen_space_pass
       number_of_triangles(options.number_of_triangles),
       rule(options.rule)
   {
-    if(rule == Depth_discontinuity_rule::FAR_PLANE &&
-       camera.depth_convention() == Depth_convention::EYE_DISTANCE)
-      throw std::invalid_argument(
-          "Shape_characteristics: depth_discontinuity_rule: FAR_PLANE compares window depths, and this "
-          "camera's are distances");
     largest_step = options.level_of_detail.fill_table(camera, frame.pixel_size, step_table);
-    largest_depth_difference = float(1. / (std::max)(camera.far_plane(), 100.));
+    const double far = camera.far_plane();
+    largest_distance_difference = far >= 100. ? 1.f : float(far / 100.); // (7.13) times f
   }
 
   // how many pixels away the neighbors are
@@ -74,7 +70,7 @@ struct Screen_space_pass
   Screen_frame frame;
   int number_of_edges, number_of_triangles;
   Depth_discontinuity_rule rule;
-  float largest_depth_difference;
+  float largest_distance_difference;
   int largest_step;
   std::array<float, Level_of_detail::maximum_step> step_table;
 };

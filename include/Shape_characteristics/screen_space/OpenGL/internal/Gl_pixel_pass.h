@@ -140,7 +140,7 @@ public:
       return;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-    if(target != m_attached)
+    if(target != m_attached || target == 0)
     {
       glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
       m_attached = 0;

@@ -49,7 +49,7 @@ uniform vec4 sc_depth_range;     // reference; lowest and highest depth of a sur
 uniform vec4 sc_rays;            // x and y over distance of the first pixel's center; steps from pixel to pixel
 uniform vec4 sc_pixel;           // step in units of z; geometric mean of the steps' sizes; 1 for perspective, 0 for parallel projection
 uniform mat3 sc_to_view;         // turns normals to view space
-uniform float sc_largest_depth_difference; // rule 1
+uniform float sc_largest_distance_difference; // rule 1
 uniform int sc_largest_step;               // level of detail
 uniform float sc_step_table[32];           // the step is at least i + 1 up to the depth [i], or down to it
 
@@ -115,7 +115,7 @@ Sc_neighbor sc_neighbor_at(Sc_center c, ivec2 offset)
   result.normal_change = normal.xyz - c.normal;
 #if SC_RULE == 1
   result.is_usable = abs(offset.x) == 1 || abs(offset.y) == 1 ||
-                     !(abs(c.depth - depth) > sc_largest_depth_difference);
+                     !(abs(result.edge.z) * c.footprint > sc_largest_distance_difference);
 #elif SC_RULE == 2
   float squared_length = dot(result.edge, result.edge);
   float rise = dot(c.normal + normal.xyz, result.edge);
