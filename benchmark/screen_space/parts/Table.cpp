@@ -30,8 +30,10 @@ std::string Table::csv() const
       out << (c ? "," : "");
       if(row[c].is_number)
         out << row[c].number;
-      else
+      else if(row[c].text.find_first_of(",\"") == std::string::npos)
         out << row[c].text;
+      else
+        out << std::quoted(row[c].text, '"', '"');
       out << (c + 1 == row.size() ? "\n" : "");
     }
   return out.str();

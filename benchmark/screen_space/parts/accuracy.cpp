@@ -143,8 +143,14 @@ Findings measure_accuracy(const Settings& settings)
     for(const double distance : distances)
     {
       support::Orbit_camera orbit(box, view);
+      // one far plane for all distances: the thesis's level of detail depends on it
+      const double far_plane = 12. * orbit.camera(size, size).far_plane();
       orbit.move(distance);
-      const SC::G_buffer_textures textures = renderer.draw(orbit.camera(size, size), size, size);
+      const SC::Camera near_camera = orbit.camera(size, size);
+      const SC::Camera camera(near_camera.view(),
+                              SC::Camera::perspective(2. * std::atan(1. / near_camera.projection()(1, 1)), 1.,
+                                                      near_camera.near_plane(), far_plane));
+      const SC::G_buffer_textures textures = renderer.draw(camera, size, size);
       std::vector<float> depths, directions;
       const SC::G_buffer g = SC::read_g_buffer(textures, depths, directions);
       const std::vector<bool> counts = inner_pixels(g, margin);
