@@ -1,6 +1,6 @@
 // How much of the ambient light reaches what a picture shows: guessed from its curvature in three ways, and found by rays.
 //
-//     ambient_occlusion mesh out.png [--size 360] [--rays 64] [--reach 1] [--lod 0.01]
+//     ambient_occlusion mesh out.png [--size 320] [--rays 48] [--reach 1] [--lod 0.01]
 //
 // Without a mesh, one that comes with CGAL is taken. `--reach` is how far away something may be and still occlude in the ray-cast picture, and
 // `--lod` how far away the pixels are from which curvature is estimated, both in diagonals of the bounding box.
@@ -96,7 +96,7 @@ double difference(const Light& light, const Light& truth)
 int run(const std::vector<std::string>& arguments)
 {
   std::vector<std::string> files;
-  int size = 360, rays = 64;
+  int size = 320, rays = 48;
   double reach = 1, lod = 0.01;
   for(std::size_t i = 0; i < arguments.size(); ++i)
   {
@@ -118,8 +118,8 @@ int run(const std::vector<std::string>& arguments)
   }
   if(files.size() > 2 || size < 16 || size > 4000 || !(lod >= 0))
     throw std::invalid_argument(
-        "usage: ambient_occlusion mesh out.png [--size 360] [--rays 64] [--reach 1] [--lod 0.01]");
-  const std::string input = files.empty() ? support::data_file("meshes/elephant.off") : files[0];
+        "usage: ambient_occlusion mesh out.png [--size 320] [--rays 48] [--reach 1] [--lod 0.01]");
+  const std::string input = files.empty() ? support::data_file("meshes/ChineseDragon-10kv.off") : files[0];
   const std::string output = files.size() < 2 ? "ambient_occlusion.png" : files[1];
 
   Mesh mesh;
