@@ -39,6 +39,20 @@ public:
   }
   bool has_value(int i, int j) const { return contains(i, j) && !std::isnan((*this)(i, j)); }
 
+  // The columns and rows from `(i_begin, j_begin)` to `(i_end, j_end)`, inclusive, as far as they are there.
+  Scalar_image part(int i_begin, int i_end, int j_begin, int j_end) const
+  {
+    i_begin = std::max(i_begin, 0);
+    j_begin = std::max(j_begin, 0);
+    i_end = std::min(i_end, m_width - 1);
+    j_end = std::min(j_end, m_height - 1);
+    Scalar_image result(std::max(i_end - i_begin + 1, 0), std::max(j_end - j_begin + 1, 0));
+    for(int j = 0; j < result.height(); ++j)
+      for(int i = 0; i < result.width(); ++i)
+        result(i, j) = (*this)(i_begin + i, j_begin + j);
+    return result;
+  }
+
   // The image after a Gaussian of the standard deviation `sigma` (in pixels). Pixels without a value count for nothing and get
   // none.
   Scalar_image smoothed(double sigma) const

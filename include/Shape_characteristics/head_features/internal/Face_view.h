@@ -21,7 +21,7 @@ namespace internal {
 class Face_view
 {
 public:
-  static constexpr double pixel = .002;
+  static constexpr double pixel = .0015;
   static constexpr double left = -.45, bottom = -.62, width = .9, height = 1.12;
 
   // `components` numbers the connected parts of the surface, by vertex
@@ -52,6 +52,27 @@ public:
 
   const Depth_image& image() const { return m_image; }
   const Scalar_image& smooth_depth() const { return m_smooth; }
+
+  // A part of the depth image after a Gaussian of the standard deviation `sigma`, with the numbers of its first column and row.
+  struct Smooth_part
+  {
+    Scalar_image depth;
+    int first_column, first_row;
+    double operator()(int i, int j) const
+    {
+      i -= first_column;
+      j -= first_row;
+      return depth.contains(i, j) ? depth(i, j) : std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+
+  Smooth_part smooth_part(double u_min, double u_max, double v_min, double v_max, double sigma) const
+  {
+    const double margin = 3. * sigma;
+    const int i = column(u_min - margin), j = row(v_min - margin);
+    return {m_image.depth().part(i, column(u_max + margin), j, row(v_max + margin)).smoothed(sigma / pixel),
+            i, j};
+  }
 
   // whether a pixel shows the skin that the tip of the nose belongs to, without a step in between
   bool is_skin(int i, int j) const

@@ -140,11 +140,11 @@ private:
   // that point upwards.
   std::optional<Eigen::Vector3d> nose_tip()
   {
-    const Scalar_image z = m_view->image().depth().smoothed(.02 / Face_view::pixel);
+    const Face_view::Smooth_part z = m_view->smooth_part(-.06, .06, -.08, .08, .02);
     const auto reach = [&](int i, int j)
     {
-      return z.contains(i, j) && m_view->is_skin(i, j) ? z(i, j) + s_upward * m_view->v(j)
-                                                       : -std::numeric_limits<double>::infinity();
+      return m_view->is_skin(i, j) && !std::isnan(z(i, j)) ? z(i, j) + s_upward * m_view->v(j)
+                                                           : -std::numeric_limits<double>::infinity();
     };
     const Face_view::Extremum tip = m_view->maximum(-.06, .06, -.08, .08, reach);
     if(!std::isfinite(tip.value))
@@ -325,14 +325,14 @@ private:
   {
     if(!m_found[Head_feature::M4].is_found())
       return;
-    const Scalar_image z = m_view->image().depth().smoothed(.012 / Face_view::pixel);
+    const double u = midline(-.3);
+    const Face_view::Smooth_part z = m_view->smooth_part(u - .03, u + .03, -.6, -.15, .012);
     const auto depth = [&](double v)
     {
       const int i = m_view->column(midline(v));
       const double y = m_view->image().row(v);
       const int j = int(std::floor(y));
-      return z.contains(i, j) && z.contains(i, j + 1) ? z(i, j) + (y - j) * (z(i, j + 1) - z(i, j))
-                                                      : std::numeric_limits<double>::quiet_NaN();
+      return z(i, j) + (y - j) * (z(i, j + 1) - z(i, j));
     };
     const double lip = m_found[Head_feature::M4].position().y();
     const double fold = greatest(lip - .075, lip - .015, [&](double v) { return concavity(depth, v, .006); });

@@ -112,7 +112,7 @@ private:
     for(int i = i_start; std::abs(m_view.u(i) - m_middle) < s_greatest_half_width; i += side)
     {
       const int j = int(std::lround(row));
-      const int reach = i == i_start ? 0 : 5;
+      const int reach = i == i_start ? 0 : 7;
       Row here = opening_or_crease(i, j - reach, j + reach, 0.);
       if(here.is_open)
       {
