@@ -4,15 +4,20 @@
 #include <Shape_characteristics/screen_space/OpenGL/Ambient_occlusion_pass.h>
 
 #include "../../examples/support/Offscreen_context.h"
+#include "../../examples/support/gl_program.h"
 
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace SC = Shape_characteristics;
@@ -161,4 +166,39 @@ BOOST_AUTO_TEST_CASE(what_it_changes_it_gives_back)
     glDisable(GL_BLEND);
     glDeleteTextures(1, &other);
   }
+}
+
+// the file as it is, without C++: alone, and as a library beside the one for curvatures
+BOOST_AUTO_TEST_CASE(the_shader_stands_alone)
+{
+  context();
+  const std::filesystem::path folder = std::filesystem::path(__FILE__).parent_path() /
+                                       "../../include/Shape_characteristics/screen_space/OpenGL/shaders";
+  const auto text_of = [&](const std::string& name)
+  {
+    std::ifstream file(folder / name);
+    BOOST_REQUIRE(file.good());
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string occlusion = text_of("ambient_occlusion.glsl"),
+                    curvature = text_of("screen_space_curvature.glsl"),
+                    over_the_picture = "#version 430 core\nvoid main() { gl_Position = vec4(0); }\n";
+  for(const char* mapping : {"", "#define SC_MAPPING 1\n", "#define SC_MAPPING 2\n"})
+  {
+    const std::string head = std::string("#version 430 core\n") + mapping;
+    const std::string both =
+        head + "#define SC_LIBRARY\n" + curvature + occlusion +
+        "layout(location = 0) out float light;\n"
+        "void main() { light = sc_ambient_occlusion(sc_curvature(ivec2(gl_FragCoord.xy))); }\n";
+    const unsigned programs[] = {
+        support::gl_program({{GL_VERTEX_SHADER, over_the_picture}, {GL_FRAGMENT_SHADER, head + occlusion}}),
+        support::gl_program({{GL_COMPUTE_SHADER, head + "#define SC_COMPUTE\n" + occlusion}}),
+        support::gl_program({{GL_VERTEX_SHADER, over_the_picture}, {GL_FRAGMENT_SHADER, both}})};
+    for(const unsigned program : programs)
+    {
+      BOOST_TEST(glGetUniformLocation(program, "sc_occlusion") >= 0);
+      glDeleteProgram(program);
+    }
+  }
+  BOOST_TEST(glGetError() == GLenum(GL_NO_ERROR));
 }

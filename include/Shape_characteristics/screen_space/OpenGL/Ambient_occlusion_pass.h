@@ -4,6 +4,7 @@
 #include <Shape_characteristics/screen_space/Griffin_ambient_occlusion.h>
 #include <Shape_characteristics/screen_space/Hattori_ambient_occlusion.h>
 #include <Shape_characteristics/screen_space/OpenGL/Shader_stage.h>
+#include <Shape_characteristics/screen_space/OpenGL/internal/Gl_ambient_occlusion.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/Gl_program.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/Gl_state.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/require_opengl.h>
@@ -18,34 +19,6 @@
 #include <string>
 
 namespace Shape_characteristics {
-namespace internal {
-
-inline constexpr char ambient_occlusion_shader[] =
-#include <Shape_characteristics/screen_space/OpenGL/shaders/ambient_occlusion.glsl>
-    ;
-
-// a mapping as the shader knows it: its number and its parameters
-struct Gl_ambient_occlusion
-{
-  int number;
-  std::array<float, 4> parameters;
-
-  Gl_ambient_occlusion(const Two_part_ambient_occlusion& m)
-    : number(0),
-      parameters{float(1 / m.curvature_extreme()), float(m.flat_value()), float(-1 / (2 * m.variance())),
-                 float(m.expected_value())}
-  {}
-  Gl_ambient_occlusion(const Hattori_ambient_occlusion& m)
-    : number(1),
-      parameters{float(m.radius()), 0.f, 0.f, 0.f}
-  {}
-  Gl_ambient_occlusion(const Griffin_ambient_occlusion& m)
-    : number(2),
-      parameters{float(m.scale()), float(m.constant()), float(m.linear()), float(m.quadratic())}
-  {}
-};
-
-} // namespace internal
 
 /*!
   \ingroup PkgShapeCharacteristicsScreenSpace
