@@ -4,9 +4,12 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
+#include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -159,6 +162,24 @@ inline void taubin(const Task& t)
   SC::taubin_curvatures(t.mesh, t.parameters());
 }
 
+inline std::function<void(const Task&)> goldfeather_interrante(unsigned int rings)
+{
+  return [rings](const Task& t)
+  { SC::goldfeather_interrante_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+}
+
+inline std::function<void(const Task&)> normal_cycle(unsigned int rings)
+{
+  return [rings](const Task& t)
+  { SC::normal_cycle_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+}
+
+inline std::function<void(const Task&)> hildebrandt_polthier(unsigned int rings)
+{
+  return [rings](const Task& t)
+  { SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+}
+
 /// The estimators that are compared: a new one is a new line here.
 ///
 /// The inverse multiquadric of Table 8.7 is fitted as a positive-definite basis, with a shape parameter that follows the
@@ -184,6 +205,14 @@ inline const std::vector<Estimator>& estimators()
       {"Theisel", "1 ring", everywhere(), theisel},
       {"Meyer", "1 ring", everywhere(), meyer},
       {"Taubin", "1 ring", everywhere(), taubin},
+      {"Goldfeather-Interrante", "1 ring", everywhere("GI"), goldfeather_interrante(1)},
+      {"Goldfeather-Interrante", "2 rings", everywhere("GI"), goldfeather_interrante(2)},
+      {"normal cycle", "2 edges", everywhere(), normal_cycle(2)},
+      {"normal cycle", "4 edges", everywhere(), normal_cycle(4)},
+      {"Hildebrandt-Polthier", "1 edge", everywhere("HP"), hildebrandt_polthier(1)},
+      {"Hildebrandt-Polthier", "2 edges", everywhere("HP"), hildebrandt_polthier(2)},
+      {"Hildebrandt-Polthier", "3 edges", everywhere("HP"), hildebrandt_polthier(3)},
+      {"Hildebrandt-Polthier", "4 edges", everywhere("HP"), hildebrandt_polthier(4)},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
       {"jet d=2", "4 rings", everywhere(), jet(2, 4)},
       {"jet d=4", "2 rings", everywhere(), jet(4, 2)},

@@ -5,9 +5,11 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
+#include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -412,6 +414,20 @@ std::vector<Estimator<Input>> estimators()
       Estimator<Input>& e = list.add_curvatures("taubin", taubin, defaults);
       e.needs_triangles = true;
       e.accuracy = .5; // nor does this
+    }
+    const auto normal_cycle = [](auto&&... a)
+    { return SC::normal_cycle_curvatures(std::forward<decltype(a)>(a)...); };
+    const auto hildebrandt_polthier = [](auto&&... a)
+    { return SC::hildebrandt_polthier_curvatures(std::forward<decltype(a)>(a)...); };
+    {
+      Estimator<Input>& e = list.add_curvatures("normal_cycle", normal_cycle, defaults);
+      e.needs_triangles = true;
+      e.accuracy = .2; // a mean over a ball of two edges
+    }
+    {
+      Estimator<Input>& e = list.add_curvatures("hildebrandt_polthier", hildebrandt_polthier, defaults);
+      e.needs_triangles = true;
+      e.accuracy = .1; // and so is this
     }
   }
   {

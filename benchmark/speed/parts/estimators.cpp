@@ -3,10 +3,12 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
+#include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/interpolated_corrected_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -92,7 +94,20 @@ void meyer(Workload& w, unsigned int threads)
 
 void taubin(Workload& w, unsigned int threads)
 {
-  on_threads(threads, [&](auto tag) { SC::taubin_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+  on_threads(threads,
+             [&](auto tag) { SC::taubin_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void normal_cycle(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::normal_cycle_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void hildebrandt_polthier(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag)
+             { SC::hildebrandt_polthier_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
 }
 
 void goldfeather_interrante(Workload& w, unsigned int threads)
@@ -189,6 +204,8 @@ const std::vector<Estimator>& estimators()
       {"Theisel", "1 ring", false, theisel},
       {"Meyer", "1 ring", false, meyer},
       {"Taubin", "1 ring", false, taubin},
+      {"normal cycle", "2 edges", true, normal_cycle},
+      {"Hildebrandt-Polthier", "2 edges", true, hildebrandt_polthier},
       {"Goldfeather-Interrante", "2 rings", false, goldfeather_interrante},
 #ifdef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
       {"interpolated corrected", "1 ring", false, interpolated_corrected},
