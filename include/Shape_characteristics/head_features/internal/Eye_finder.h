@@ -23,6 +23,7 @@ struct Eye_outline
   };
   Place outer_corner, inner_corner;
   std::array<Place, 2> upper, lower; // on the lids, the outer one first
+  double width = 0.;                 // of what is seen of the ball
   double certainty = 0.;             // 0: not found
 };
 
@@ -32,8 +33,14 @@ struct Eye_outline
 class Eye_finder
 {
 public:
-  // `side`: -1 for the eye at negative x, 1 for the other; `(u, v)`: about the middle of the eye
-  Eye_finder(const Face_view& view, int side, double u, double v) : m_view(view), m_side(side), m_u(u), m_v(v)
+  // `side`: -1 for the eye at negative x, 1 for the other; `(u, v)`: about the middle of the eye; `width`: about that of the
+  // opening, if it is not closed in part
+  Eye_finder(const Face_view& view, int side, double u, double v, double width)
+    : m_view(view),
+      m_side(side),
+      m_u(u),
+      m_v(v),
+      m_usual_width(width)
   {}
 
   Eye_outline find()
@@ -45,7 +52,7 @@ public:
 
 private:
   static constexpr double s_half_width = .1, s_half_height = .062;
-  static constexpr double s_least_width = .025, s_greatest_width = .17, s_usual_width = .105;
+  static constexpr double s_least_width = .025, s_greatest_width = .17;
   static constexpr double s_least_crease = 40.; // in 1 / height of the head
 
   struct Column
@@ -133,16 +140,16 @@ private:
   void follow_closed_lids()
   {
     const double width = m_columns.back().u - m_columns.front().u;
-    if(width > .8 * s_usual_width)
+    if(width > .88 * m_usual_width)
       return;
     Column end = m_side < 0 ? m_columns.front() : m_columns.back();
     double row = .5 * (m_view.row(end.low) + m_view.row(end.high));
     std::vector<Column> lids;
-    for(int k = 1; k * Face_view::pixel < s_usual_width - width; ++k)
+    for(int k = 1; k * Face_view::pixel < m_usual_width - width; ++k)
     {
       const int i = m_view.column(end.u) + m_side * k, j0 = int(std::lround(row));
       int best = j0;
-      for(int j = j0 - 2; j <= j0 + 2; ++j)
+      for(int j = j0 - 3; j <= j0 + 3; ++j)
         if(m_view.crease(i, j) - .5 * std::abs(j - row) > m_view.crease(i, best) - .5 * std::abs(best - row))
           best = j;
       if(m_view.crease(i, best) < s_least_crease)
@@ -173,7 +180,7 @@ private:
     const Face_view::Extremum outer = crease_near(m_u + .059 * m_side, m_v + .001, .015, .015),
                               inner = crease_near(m_u - .059 * m_side, m_v - .009, .015, .015);
     if(outer.value < s_least_crease || inner.value < s_least_crease ||
-       (outer.u - inner.u) * m_side < .5 * s_usual_width)
+       (outer.u - inner.u) * m_side < .5 * m_usual_width)
       return false;
     m_columns.clear();
     double weakest = outer.value;
@@ -205,6 +212,7 @@ private:
                  &inner = outer_first ? m_columns.back() : m_columns.front();
     Eye_outline result;
     result.certainty = m_certainty;
+    result.width = width;
     // The lids meet a little beyond the end of what is seen of the ball; at the inner corner the caruncle is in between.
     const double outwards = m_is_whole ? 0. : m_side * width, drop = m_is_whole ? 0. : s_inner_drop * width;
     result.outer_corner = {outer.u + s_outer_margin * outwards, middle(outer)};
@@ -254,7 +262,7 @@ private:
 
   const Face_view& m_view;
   int m_side;
-  double m_u, m_v;
+  double m_u, m_v, m_usual_width;
   std::vector<Column> m_columns; // from left to right
   double m_certainty = 0.;
   bool m_is_whole = false; // the columns reach from corner to corner

@@ -91,6 +91,7 @@ private:
 
   // where features are to be expected, from the tip of the nose
   static constexpr double s_eye_u = .14, s_eye_v = .139, s_base = .072;
+  static constexpr double s_least_width_of_eye = .095;
   static constexpr double s_below_lip =
       .004; // the middle of the lower lip is a little below its foremost point
 
@@ -160,9 +161,17 @@ private:
 
   void find_eyes()
   {
+    const auto find = [&](int side, double width)
+    { return Eye_finder(*m_view, side, side * s_eye_u, s_eye_v, width).find(); };
+    std::array<Eye_outline, 2> eyes = {find(-1, s_least_width_of_eye), find(1, s_least_width_of_eye)};
+    // an eye much narrower than the other one is closed in part
+    if(eyes[0].certainty > 0. && eyes[1].certainty > 0. && eyes[0].width < .88 * eyes[1].width)
+      eyes[0] = find(-1, eyes[1].width);
+    else if(eyes[0].certainty > 0. && eyes[1].certainty > 0. && eyes[1].width < .88 * eyes[0].width)
+      eyes[1] = find(1, eyes[0].width);
     for(const int side : {-1, 1})
     {
-      const Eye_outline eye = Eye_finder(*m_view, side, side * s_eye_u, s_eye_v).find();
+      const Eye_outline& eye = eyes[side < 0 ? 0 : 1];
       if(!(eye.certainty > 0.))
         continue;
       const auto feature = [&](int k)
