@@ -95,10 +95,9 @@ namespace Shape_characteristics {
 
   \throws std::invalid_argument if a parameter is out of its range
 
-  Complexity: linear in the number of pixels.
+  Complexity: linear in the number of pixels; constant memory beside the maps.
 
-  Constant memory beyond the maps.
-
+  \cgalExample{screen_space/screen_space_curvature.cpp}
 */
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename GBuffer,
