@@ -34,7 +34,7 @@ finish()
 configure()
 {
   local warnings_as_errors=OFF # sanitizers make the compiler warn of what is not so
-  [[ $1 == release ]] && warnings_as_errors=ON
+  [[ $1 == release || $1 == test ]] && warnings_as_errors=ON
   cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
 }
 build() { cmake --build --preset "$1" --parallel "$(parallel_jobs)" ${2:+--target "$2"}; }
