@@ -23,6 +23,9 @@ public:
   /// returns the number of rows.
   int height() const;
 
+  /// returns the number of pixels.
+  std::size_t size() const;
+
   /// returns the index of the pixel in column `x` and row `y`: `y * width() + x`.
   std::size_t index(int x, int y) const;
 
@@ -37,6 +40,15 @@ public:
 
   /// returns the outward normal of a pixel, of any length. One that is zero or not finite makes the pixel unusable.
   Eigen::Vector3f normal(std::size_t pixel) const;
+
+  /// returns whether a pixel shows a surface, with a depth and a normal that can be used.
+  bool is_valid(std::size_t pixel) const;
+
+  /// returns the point in view space that is seen at the center of a valid pixel.
+  Eigen::Vector3d view_point(std::size_t pixel) const;
+
+  /// returns the unit normal of a valid pixel in view space.
+  Eigen::Vector3d view_normal(std::size_t pixel) const;
 
   /// @}
 };
