@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <ctime>
+#include <limits>
 #include <vector>
 
 namespace screen_space {
@@ -20,7 +22,7 @@ Frame_time time_of(const std::function<void()>& frame, double seconds)
   { return std::chrono::duration<double>(Clock::now() - start).count(); };
   GLuint query = 0;
   glGenQueries(1, &query);
-  std::vector<double> gpu, wall;
+  std::vector<double> gpu, wall, processor;
   const Clock::time_point start = Clock::now();
   for(int k = 0; k < 3 && (k == 0 || since(start) < .3 * seconds); ++k)
     frame();
@@ -31,17 +33,19 @@ Frame_time time_of(const std::function<void()>& frame, double seconds)
   while(gpu.size() < least || (gpu.size() < 200 && since(first) < seconds))
   {
     const Clock::time_point begin = Clock::now();
+    const std::clock_t of_threads = std::clock();
     glBeginQuery(GL_TIME_ELAPSED, query);
     frame();
     glEndQuery(GL_TIME_ELAPSED);
     glFinish();
     wall.push_back(1e3 * since(begin));
+    processor.push_back(1e3 * double(std::clock() - of_threads) / CLOCKS_PER_SEC);
     GLuint64 nanoseconds = 0;
     glGetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
     gpu.push_back(1e-6 * double(nanoseconds));
   }
   glDeleteQueries(1, &query);
-  return {median(gpu), median(wall), int(gpu.size())};
+  return {median(gpu), median(wall), median(processor), int(gpu.size())};
 }
 
 std::string renderer_name()
@@ -59,6 +63,8 @@ bool is_software_renderer()
 
 double measured_bandwidth()
 {
+  if(is_software_renderer())
+    return std::numeric_limits<double>::quiet_NaN();
   constexpr char shader[] = R"(#version 430 core
 layout(local_size_x = 32, local_size_y = 8) in;
 uniform sampler2D from;
@@ -69,7 +75,7 @@ void main()
   imageStore(to, p, texelFetch(from, p, 0));
 }
 )";
-  const int size = is_software_renderer() ? 2048 : 8192;
+  constexpr int size = 8192;
   const unsigned program = support::gl_program({{GL_COMPUTE_SHADER, shader}});
   GLuint textures[2];
   glGenTextures(2, textures);
@@ -97,8 +103,7 @@ void main()
   glBindTexture(GL_TEXTURE_2D, 0);
   glDeleteTextures(2, textures);
   glDeleteProgram(program);
-  const double ms = is_software_renderer() ? time.wall : time.gpu;
-  return 32. * double(size) * double(size) / (1e6 * ms);
+  return 32. * double(size) * double(size) / (1e6 * time.gpu);
 }
 
 } // namespace screen_space

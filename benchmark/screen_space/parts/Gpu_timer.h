@@ -11,6 +11,8 @@ struct Frame_time
 {
   double gpu = 0.;  ///< by the timer of the GPU
   double wall = 0.; ///< on the clock, from the call until glFinish() returns
+  double processor =
+      0.; ///< of all threads of the process: what a software renderer takes, whoever else is at work
   int frames = 0;
 };
 
@@ -23,7 +25,8 @@ std::string renderer_name();
 /// Whether the renderer is a program on the processor.
 bool is_software_renderer();
 
-/// The bytes per second, in GB/s, that a shader reads and writes when it copies a large texture.
+/// The bytes per second, in GB/s, that a shader reads and writes when it copies a large texture; NaN for a software renderer, which calculation
+/// keeps busy.
 double measured_bandwidth();
 
 } // namespace screen_space
