@@ -677,6 +677,37 @@ BOOST_AUTO_TEST_CASE(sphere_fits)
   BOOST_TEST(quantile(errors, .5) < .05);
 }
 
+BOOST_AUTO_TEST_CASE(better_than_sphere_fits)
+{
+  // the mean curvature is at least as good as that of spheres fitted to 8 pixels around; silhouettes included
+  for(const double distance : {3., 6.})
+  {
+    const Picture picture = Picture(200, 200, camera_at(distance, 1.5))
+                                .add(Torus())
+                                .add(Cylinder{Eigen::Vector3d(0., 1., .1).normalized(), .2});
+    const G_buffer g = picture.g_buffer();
+    const auto error = [&](const std::vector<float>& mean, double q)
+    {
+      std::vector<double> errors;
+      for(std::size_t i = 0; i < picture.size(); ++i)
+        if(picture.facing[i] > 0. && !std::isnan(mean[i]))
+          errors.push_back(std::abs(mean[i] - picture.mean_curvatures[i]) /
+                           std::abs(picture.mean_curvatures[i]));
+      return quantile(errors, q);
+    };
+    std::vector<float> fitted(picture.size());
+    SC::sphere_fit_mean_curvatures(g, sp::mean_curvature_map(map_of(fitted)));
+    const Result r = curvatures_of(g);
+    for(const double q : {.5, .9})
+    {
+      BOOST_TEST_MESSAGE("torus and cylinder at " << distance << ", relative error of H, quantile " << q
+                                                  << ": " << error(r.mean, q) << ", of spheres "
+                                                  << error(fitted, q));
+      BOOST_TEST(error(r.mean, q) < .5 * error(fitted, q));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(wrong_parameters)
 {
   const Picture picture = Picture(10, 10, camera_at(5., 1.5)).add(Sphere());
