@@ -128,7 +128,7 @@ private:
   static constexpr double s_other_unit = 2.5;      // ratio of sizes: inches are 2.54 centimeters
   static constexpr double s_agreement = .25;       // least share of near points that meet
   static constexpr double s_missing = .15;         // share of near points that needn't meet without noise
-  static constexpr double s_missing_by_noise = 4.; // by the share that doesn't meet its own scan
+  static constexpr double s_missing_by_noise = 3.; // by the share that doesn't meet its own scan
   static constexpr double s_clear_agreement = .7;  // that needs no other evidence
   static constexpr double s_correlation = .12;     // of curvatures that are alike
   static constexpr double s_different = .1; // mean distance between two motions, in radii of the source
