@@ -30,6 +30,7 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -92,6 +93,19 @@ struct Head_of_mesh
       for(const auto v : t)
         result.extend(surface.points[v]);
     return result;
+  }
+
+  // Turns all triangles if the surface is inside out: seen from the back of its box, a head or a scan of a face faces away.
+  void orient()
+  {
+    const Eigen::AlignedBox3d b = box();
+    const Eigen::Vector3d back(b.center().x(), b.center().y(), b.min().z());
+    double volume = 0.;
+    for(const auto& [i, j, k] : surface.triangles)
+      volume += (surface.points[i] - back).dot((surface.points[j] - back).cross(surface.points[k] - back));
+    if(volume < 0.)
+      for(auto& t : surface.triangles)
+        std::swap(t[1], t[2]);
   }
 
   // scales and moves the surface so that its box has the center 0 and the longest side 1
@@ -164,7 +178,7 @@ std::size_t number_of_thesis_vertices(const Parameter& given, const char* messag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 
-  \param mesh the mesh. All its faces must be triangles, seen counterclockwise from outside.
+  \param mesh the mesh. All its faces must be triangles. They may all be inside out, but for the thesis's method.
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin
@@ -355,6 +369,7 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
     return result;
   }
 
+  head.orient();
   internal::Head_feature_finder finder(head.surface, nose, height);
   const internal::Found_head_features found = finder.find();
   const auto is_sure = [&](const Head_region r) { return found[r].is_found() && found[r].confidence > .2; };

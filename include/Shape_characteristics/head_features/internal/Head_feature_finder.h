@@ -43,29 +43,17 @@ public:
   Found_head_features find()
   {
     find_components();
-    for(int attempt = 0; attempt < 3; ++attempt)
+    // The height of a head that is flat or looks up is guessed badly: where no eyes are seen, others are tried.
+    const Eigen::Vector3d origin = m_origin;
+    const double unit = m_unit;
+    for(const double factor : {1., 1.2, 1.45, .83, 1.})
     {
-      m_found = Found_head_features();
-      normalize();
-      m_view.emplace(m_surface, m_components);
-      const std::optional<Eigen::Vector3d> tip = nose_tip();
-      if(!tip)
+      m_origin = origin;
+      m_unit = factor * unit;
+      if(!find_tip_and_eyes())
         return Found_head_features();
-      // what follows is seen from the tip
-      if(tip->norm() > .01 && attempt < 2)
-      {
-        m_origin += m_unit * *tip;
-        continue;
-      }
-      find_eyes();
-      // the distance of the eyes is the best measure of a head: no jaw, hair or hat changes it
-      const double scale = distance_of_eyes() / s_distance_of_eyes;
-      if(std::abs(scale - 1.) > .06 && attempt < 2 && scale > .5 && scale < 2.)
-      {
-        m_unit *= scale;
-        continue;
-      }
-      break;
+      if(sees_eyes())
+        break;
     }
     find_mouth();
     find_midline();
@@ -86,6 +74,41 @@ public:
   }
 
 private:
+  bool sees_eyes() const
+  {
+    return m_found[Head_feature::LEFT_E1].confidence > .5 && m_found[Head_feature::RIGHT_E1].confidence > .5;
+  }
+
+  // false: there is no surface where the tip of the nose should be
+  bool find_tip_and_eyes()
+  {
+    for(int attempt = 0; attempt < 3; ++attempt)
+    {
+      m_found = Found_head_features();
+      normalize();
+      m_view.emplace(m_surface, m_components);
+      const std::optional<Eigen::Vector3d> tip = nose_tip();
+      if(!tip)
+        return false;
+      // what follows is seen from the tip
+      if(tip->norm() > .01 && attempt < 2)
+      {
+        m_origin += m_unit * *tip;
+        continue;
+      }
+      find_eyes();
+      // the distance of the eyes is the best measure of a head: no jaw, hair or hat changes it
+      const double scale = distance_of_eyes() / s_distance_of_eyes;
+      if(std::abs(scale - 1.) > .06 && attempt < 2 && scale > .5 && scale < 2.)
+      {
+        m_unit *= scale;
+        continue;
+      }
+      break;
+    }
+    return true;
+  }
+
   static constexpr double s_top_to_chin = .931;
   static constexpr double s_distance_of_eyes = .397; // between the outer corners
 

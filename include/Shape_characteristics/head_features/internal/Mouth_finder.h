@@ -108,7 +108,9 @@ private:
     double row = start.middle();
     // where the opening ends, and where the crease is strong for the last time
     double u_open = m_middle, v_open = m_view.v(row), u_creased = m_middle, v_creased = v_open;
-    double previous = s_corner_crease * 2;
+    // of a mouth that is modelled coarsely, the crease is weak everywhere
+    const double least = start.is_open ? s_corner_crease : std::min(s_corner_crease, .5 * start.crease);
+    double previous = 2 * least;
     for(int i = i_start; std::abs(m_view.u(i) - m_middle) < s_greatest_half_width; i += side)
     {
       const int j = int(std::lround(row));
@@ -119,23 +121,23 @@ private:
         row = here.middle();
         u_open = u_creased = m_view.u(i);
         v_open = v_creased = m_view.v(row);
-        previous = 2 * s_corner_crease;
+        previous = 2 * least;
         continue;
       }
       here = opening_or_crease(i, j - 2, j + 2, .5, row);
       row = here.middle();
-      if(here.crease >= s_corner_crease)
+      if(here.crease >= least)
       {
         u_creased = m_view.u(i);
         v_creased = m_view.v(row);
       }
-      else if(previous >= s_corner_crease)
+      else if(previous >= least)
       {
-        const double t = (previous - s_corner_crease) / (previous - here.crease);
+        const double t = (previous - least) / (previous - here.crease);
         u_creased = m_view.u(i - side + t * side);
         v_creased = m_view.v(row);
       }
-      if(here.crease < .5 * s_corner_crease && std::abs(m_view.u(i) - u_open) > 2 * s_beyond_opening &&
+      if(here.crease < .5 * least && std::abs(m_view.u(i) - u_open) > 2 * s_beyond_opening &&
          std::abs(m_view.u(i) - m_middle) > .05)
         break;
       previous = here.crease;
