@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE screen_space_curvatures
 #include <boost/test/unit_test.hpp>
 
+#include <Shape_characteristics/screen_space/internal/Screen_frame.h>
 #include <Shape_characteristics/screen_space/screen_space_curvatures.h>
 #include <Shape_characteristics/screen_space/sphere_fit_mean_curvatures.h>
 
@@ -614,6 +615,37 @@ BOOST_AUTO_TEST_CASE(bad_pixels)
   }
   BOOST_TEST((statuses[center + 1] == Status::BORDER));
   BOOST_TEST(std::abs(mean[center + 1] - 1.) < 1e-3);
+}
+
+BOOST_AUTO_TEST_CASE(uniforms_of_the_shader)
+{
+  // the formulas in the first lines of the shader are those of the passes
+  Eigen::Matrix4d projection = Camera::perspective(.7, 1.5, .5, 30.);
+  projection(0, 2) = .1;
+  projection(1, 2) = -.2;
+  const int w = 300, h = 170;
+  const SC::internal::Screen_frame frame(Camera(Eigen::Matrix4d::Identity(), projection),
+                                         SC::Normal_space::VIEW, w, h);
+  const auto p = [&](int column, int row) { return projection(row, column); }; // as in GLSL
+  const auto check = [](double a, double b) { BOOST_TEST(std::abs(a - b) <= 1e-6 * std::abs(b)); };
+  const double scale = frame.denominator[1] / -2.;
+  check(frame.numerator[0], scale * -p(3, 2));
+  check(frame.numerator[1], 0.);
+  check(frame.denominator[0], scale * (-1. - p(2, 2)));
+  check(frame.determinant, scale * scale * -2. * p(3, 2));
+  check(frame.depth_reference, 1.);
+  check(frame.lowest_depth, 0.);
+  check(frame.highest_depth, .99999994);
+  check(frame.depth_sign, 1.);
+  check(frame.ray_origin[0], (1. / w - 1. + p(2, 0)) / p(0, 0));
+  check(frame.ray_origin[1], (1. / h - 1. + p(2, 1)) / p(1, 1));
+  check(frame.ray_step[0], 2. / (w * p(0, 0)));
+  check(frame.ray_step[1], 2. / (h * p(1, 1)));
+  const double m = std::sqrt(frame.ray_step[0] * frame.ray_step[1]);
+  check(frame.pixel_edge[0], frame.ray_step[0] / m);
+  check(frame.pixel_edge[1], frame.ray_step[1] / m);
+  check(frame.pixel_size, m);
+  check(frame.perspective, 1.);
 }
 
 BOOST_AUTO_TEST_CASE(small_pictures)

@@ -14,7 +14,16 @@
 // Inputs:
 //   sc_depths, sc_normals   textures of the picture's size: depth (red channel); outward normal (red, green, blue), of any
 //                           length, in floating point or signed normalized. Filters aren't used; depth comparison must be off.
-//   the other uniforms      follow from camera and picture; internal/Screen_frame.h computes them, see there
+//   the other uniforms      follow from camera and picture. With OpenGL's usual depth, a perspective matrix P and pictures of w x h pixels:
+//     sc_size = (w, h)
+//     sc_distance = (-P[3][2], 0, -1 - P[2][2], -2)        sc_determinant = -2 P[3][2]
+//     sc_depth_range = (1, 0, 0.99999994, 1)
+//     sc_rays = ((1/w - 1 + P[2][0]) / P[0][0], (1/h - 1 + P[2][1]) / P[1][1], 2 / (w P[0][0]), 2 / (h P[1][1]))
+//     sc_pixel = (sc_rays.z / m, sc_rays.w / m, m, 1)      where m = sqrt(abs(sc_rays.z sc_rays.w))
+//     sc_to_view = the upper left of the view matrix if normals are in world space, otherwise the identity
+//     sc_largest_distance_difference = 1                   if the far plane is at 100 or beyond
+//     sc_largest_step, sc_step_table                       see Shape_characteristics::Level_of_detail::fill_table()
+//                           internal/Screen_frame.h has them for other projections and kinds of depth.
 // Output:
 //   fragment shader: out vec4 at location 0; compute shader: image2D sc_result (rgba32f) at binding 0
 //     x  smaller principal curvature     y  larger principal curvature, in 1/unit of the scene, convex is positive;
