@@ -144,6 +144,9 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                                                                                    number_of_ear_vertices)
                             SC_new_parameter(detection_radius_t, detection_radius, detection_radius)
 
+    // pose of heads
+    SC_new_parameter(upward_direction_t, upward_direction, upward_direction)
+
     // deformation of heads
     SC_new_parameter(deformed_vertex_point_map_t, deformed_vertex_point_map, deformed_vertex_point_map)
 
