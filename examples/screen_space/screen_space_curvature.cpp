@@ -118,7 +118,7 @@ int run(const std::vector<std::string>& arguments)
   for(const auto v : mesh.vertices())
     box += mesh.point(v).bbox();
   support::Orbit_camera view(box, support::camera_for(input));
-  view.move(0.62);
+  view.move(0.74);
   const SC::Level_of_detail level = SC::Level_of_detail::by_length(lod * 2 * view.radius());
 
   // depths and normals, twice as fine as the picture

@@ -18,10 +18,11 @@ namespace Shape_characteristics {
 
   estimates the curvatures of what a picture shows, at each of its pixels, from depths and normals alone (thesis, chapter 7).
 
-  The points and normals of a pixel and of its neighbors to the right, above, to the left and below make a fan of up to four triangles. The shape operator of each
-  is the one that, by least squares, best explains how normals differ along its edges (7.3 - 7.11, with the errata); the pixel's is their mean, in
-  the plane of the fan, and the principal curvatures are its eigenvalues. With one triangle this is the thesis's method; with two or four, opposite
-  triangles cancel each other's first-order error.
+  The points and normals of a pixel and of its neighbors to the right, above, to the left and below make a fan of up to four triangles. The shape operator is
+  the one that, by least squares, best explains how normals differ along the triangles' edges (7.3 - 7.11, with the errata), in the plane of the fan; the
+  principal curvatures are its eigenvalues. With one triangle this is the thesis's method; with two or four, opposite triangles cancel each
+  other's first-order error. (The thesis averages the curvatures of triangles. One system for all of them is as accurate and does not suffer from
+  triangles that are seen almost from their side.)
 
   Neighbors are one pixel away, or as many as `level_of_detail` says; `depth_discontinuity_rule` tells whether they are on the same surface. Triangles with
   neighbors that aren't, that are background, or without a usable normal, are left out, and those of the other sides take their
@@ -70,7 +71,7 @@ namespace Shape_characteristics {
       \cgalParamDefault{not written}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_triangles}
-      \cgalParamDescription{how many triangles are averaged, 1 to 4}
+      \cgalParamDescription{how many triangles are taken, 1 to 4}
       \cgalParamType{`int`}
       \cgalParamDefault{`4`}
     \cgalParamNEnd

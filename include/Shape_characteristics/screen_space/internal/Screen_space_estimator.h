@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -104,13 +105,20 @@ public:
     Eigen::Vector3f u = along - plane.dot(along) * plane;
     u /= std::sqrt(u.dot(u));
     const Eigen::Vector3f v = plane.cross(u);
-    float l = 0.f, m = 0.f, n = 0.f;
+    Normal_equations sums;
     for(int k = 0; k < number_of_used; ++k)
-      add_triangle(neighbors[first[used[k]]], neighbors[second[used[k]]], u, v, l, m, n);
+      add_triangle(neighbors[first[used[k]]], neighbors[second[used[k]]], u, v, sums);
 
-    const float scale = 1.f / (float(number_of_used) * c.footprint);
+    // the inverse of [p q 0; q p + r q; 0 q r], which is (7.7) with the errata
+    const float p = sums.p, q = sums.q, r = sums.r, s = sums.s;
+    const float inverse = 1.f / ((p + r) * s);
+    const float l = inverse * ((r * r + s) * sums.x - q * r * sums.y + q * q * sums.z);
+    const float m = inverse * (-q * r * sums.x + p * r * sums.y - p * q * sums.z);
+    const float n = inverse * (q * q * sums.x - p * q * sums.y + (p * p + s) * sums.z);
+
     const float mean = 0.5f * (l + n), half = 0.5f * (l - n);
     const float root = std::sqrt(half * half + m * m);
+    const float scale = 1.f / c.footprint;
     const float min_curvature = (mean - root) * scale, max_curvature = (mean + root) * scale;
     if(!std::isfinite(min_curvature) || !std::isfinite(max_curvature))
     {
@@ -178,38 +186,44 @@ private:
     return result;
   }
 
-  // Solves the least squares of (7.5), in the form (7.9) - (7.11) with the errata, and adds the shape operator.
+  // those of the least squares (7.5), of all triangles
+  struct Normal_equations
+  {
+    float p = 0.f, q = 0.f, r = 0.f; // of the edges, as in (7.6)
+    float s = 0.f;                   // p r - q q, without cancellation within a triangle
+    float x = 0.f, y = 0.f, z = 0.f; // right sides
+  };
+
   void add_triangle(const Neighbor& a,
                     const Neighbor& b,
                     const Eigen::Vector3f& u,
                     const Eigen::Vector3f& v,
-                    float& l,
-                    float& m,
-                    float& n) const
+                    Normal_equations& sums) const
   {
     const float u1 = a.edge.dot(u), v1 = a.edge.dot(v), u2 = b.edge.dot(u), v2 = b.edge.dot(v);
     const float du1 = a.normal_change.dot(u), dv1 = a.normal_change.dot(v);
     const float du2 = b.normal_change.dot(u), dv2 = b.normal_change.dot(v);
     float p = u1 * u1 + u2 * u2, q = u1 * v1 + u2 * v2, r = v1 * v1 + v2 * v2;
-    float x = u1 * du1 + u2 * du2, z = v1 * dv1 + v2 * dv2;
-    float y = v1 * du1 + u1 * dv1 + v2 * du2 + u2 * dv2;
     const float area = u1 * v2 - u2 * v1;
-    float s = area * area; // p r - q q, without cancellation
+    float s = area * area;
+    sums.x += u1 * du1 + u2 * du2;
+    sums.y += v1 * du1 + u1 * dv1 + v2 * du2 + u2 * dv2;
+    sums.z += v1 * dv1 + v2 * dv2;
     if(m_pass.number_of_edges == 3)
     {
       const float u3 = u2 - u1, v3 = v2 - v1, du3 = du2 - du1, dv3 = dv2 - dv1;
       p += u3 * u3;
       q += u3 * v3;
       r += v3 * v3;
-      x += u3 * du3;
-      y += v3 * du3 + u3 * dv3;
-      z += v3 * dv3;
       s *= 3.f;
+      sums.x += u3 * du3;
+      sums.y += v3 * du3 + u3 * dv3;
+      sums.z += v3 * dv3;
     }
-    const float inverse = 1.f / ((p + r) * s);
-    l += inverse * ((r * r + s) * x - q * r * y + q * q * z);
-    m += inverse * (-q * r * x + p * r * y - p * q * z);
-    n += inverse * (q * q * x - p * q * y + (p * p + s) * z);
+    sums.s += s + (std::max)(sums.p * r + sums.r * p - 2.f * sums.q * q, 0.f);
+    sums.p += p;
+    sums.q += q;
+    sums.r += r;
   }
 
   const GBuffer& m_g_buffer;

@@ -5,7 +5,7 @@
 // function sc_curvature() and its uniforms for a shader of yours.
 //
 // Defines (before the file; the defaults are those of screen_space_curvatures(), its twin on the CPU):
-//   SC_TRIANGLES      how many triangles around a pixel are averaged, 1 to 4 (4)
+//   SC_TRIANGLES      how many triangles around a pixel are taken, 1 to 4 (4)
 //   SC_EDGES          from how many edges a triangle's shape operator is fitted, 2 or 3 (2)
 //   SC_RULE           depth discontinuities: 0 none, 1 the far plane (7.13), 2 tangent planes (2)
 //   SC_LEVEL_OF_DETAIL  1 to look up steps in sc_step_table, 0 for one pixel everywhere (0)
@@ -147,31 +147,39 @@ Sc_neighbor sc_neighbor(Sc_center c, ivec2 direction)
 #endif
 }
 
-// Adds (L, M, N) of a triangle: the least squares of (7.5), in the form (7.9) - (7.11) with the errata.
-void sc_add_triangle(Sc_neighbor a, Sc_neighbor b, vec3 u, vec3 v, inout vec3 sum)
+// the normal equations of the least squares (7.5), of all triangles
+struct Sc_equations
+{
+  float p, q, r; // of the edges, as in (7.6)
+  float s;       // p r - q q, without cancellation within a triangle
+  float x, y, z; // right sides
+};
+
+void sc_add_triangle(Sc_neighbor a, Sc_neighbor b, vec3 u, vec3 v, inout Sc_equations sums)
 {
   float u1 = dot(a.edge, u), v1 = dot(a.edge, v), u2 = dot(b.edge, u), v2 = dot(b.edge, v);
   float du1 = dot(a.normal_change, u), dv1 = dot(a.normal_change, v);
   float du2 = dot(b.normal_change, u), dv2 = dot(b.normal_change, v);
   float p = u1 * u1 + u2 * u2, q = u1 * v1 + u2 * v2, r = v1 * v1 + v2 * v2;
-  float x = u1 * du1 + u2 * du2, z = v1 * dv1 + v2 * dv2;
-  float y = v1 * du1 + u1 * dv1 + v2 * du2 + u2 * dv2;
   float area = u1 * v2 - u2 * v1;
-  float s = area * area; // p r - q q, without cancellation
+  float s = area * area;
+  sums.x += u1 * du1 + u2 * du2;
+  sums.y += v1 * du1 + u1 * dv1 + v2 * du2 + u2 * dv2;
+  sums.z += v1 * dv1 + v2 * dv2;
 #if SC_EDGES == 3
   float u3 = u2 - u1, v3 = v2 - v1, du3 = du2 - du1, dv3 = dv2 - dv1;
   p += u3 * u3;
   q += u3 * v3;
   r += v3 * v3;
-  x += u3 * du3;
-  y += v3 * du3 + u3 * dv3;
-  z += v3 * dv3;
   s *= 3;
+  sums.x += u3 * du3;
+  sums.y += v3 * du3 + u3 * dv3;
+  sums.z += v3 * dv3;
 #endif
-  float inverse = 1 / ((p + r) * s);
-  sum += inverse * vec3((r * r + s) * x - q * r * y + q * q * z,
-                        -q * r * x + p * r * y - p * q * z,
-                        q * q * x - p * q * y + (p * p + s) * z);
+  sums.s += s + max(sums.p * r + sums.r * p - 2 * sums.q * q, 0);
+  sums.p += p;
+  sums.q += q;
+  sums.r += r;
 }
 
 vec4 sc_curvature(ivec2 pixel)
@@ -238,19 +246,26 @@ vec4 sc_curvature(ivec2 pixel)
   vec3 u = along - dot(plane, along) * plane;
   u /= sqrt(dot(u, u));
   vec3 v = cross(plane, u);
-  vec3 lmn = vec3(0);
+  Sc_equations sums = Sc_equations(0, 0, 0, 0, 0, 0, 0);
   if(used.x)
-    sc_add_triangle(right, up, u, v, lmn);
+    sc_add_triangle(right, up, u, v, sums);
   if(used.y)
-    sc_add_triangle(left, down, u, v, lmn);
+    sc_add_triangle(left, down, u, v, sums);
   if(used.z)
-    sc_add_triangle(up, left, u, v, lmn);
+    sc_add_triangle(up, left, u, v, sums);
   if(used.w)
-    sc_add_triangle(down, right, u, v, lmn);
+    sc_add_triangle(down, right, u, v, sums);
 
-  float scale = 1 / (float(enough) * c.footprint);
-  float mean = 0.5 * (lmn.x + lmn.z), half_difference = 0.5 * (lmn.x - lmn.z);
-  float root = sqrt(half_difference * half_difference + lmn.y * lmn.y);
+  // the inverse of [p q 0; q p + r q; 0 q r], which is (7.7) with the errata
+  float p = sums.p, q = sums.q, r = sums.r, s = sums.s;
+  float inverse_determinant = 1 / ((p + r) * s);
+  float l = inverse_determinant * ((r * r + s) * sums.x - q * r * sums.y + q * q * sums.z);
+  float m = inverse_determinant * (-q * r * sums.x + p * r * sums.y - p * q * sums.z);
+  float n = inverse_determinant * (q * q * sums.x - p * q * sums.y + (p * p + s) * sums.z);
+
+  float mean = 0.5 * (l + n), half_difference = 0.5 * (l - n);
+  float root = sqrt(half_difference * half_difference + m * m);
+  float scale = 1 / c.footprint;
   float low = (mean - root) * scale, high = (mean + root) * scale;
   if(!sc_is_finite(low) || !sc_is_finite(high))
     return sc_none(3);
