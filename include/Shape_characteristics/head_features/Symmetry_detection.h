@@ -9,7 +9,7 @@ namespace Shape_characteristics {
 /// says whether a shape has a plane of symmetry
 enum class Symmetry_verdict : unsigned char
 {
-  NONE,   ///< none that half of the surface agrees with
+  NONE,   ///< none that half of the surface agrees with, or several that are equally bad
   ONE,    ///< one, and no other nearly as good
   SEVERAL ///< several, almost equally good ones, as a cube, a sphere or a vase has them: which one is meant, the shape can't tell
 };

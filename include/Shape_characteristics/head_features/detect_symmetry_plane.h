@@ -49,11 +49,11 @@ Symmetry_detection<Kernel> detect_symmetry_plane_of(const Pose_points& points)
   result.best = candidate(found[0]);
   for(std::size_t k = 1; k < found.size(); ++k)
     result.alternatives.push_back(candidate(found[k]));
-  if(found[0].support < .5)
-    return result;
+  // Any round shape has planes with which half of it agrees, none of them better than others. Where several are meant, they are good.
   const double second = found.size() > 1 ? found[1].evidence / found[0].evidence : 0.;
+  if(found[0].support < .5 || (found[0].support < .8 && second > .9))
+    return result;
   result.verdict = second > .9 ? Symmetry_verdict::SEVERAL : Symmetry_verdict::ONE;
-  // any round shape has planes with which half of it agrees
   const double fit = (std::min)((found[0].evidence - .35) / .5, 1.),
                alone = 1. - second * second * second * second;
   result.confidence = (std::max)(fit, 0.) * (std::max)(alone, 0.);

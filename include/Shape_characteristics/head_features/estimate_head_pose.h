@@ -95,7 +95,7 @@ Head_pose<Kernel> head_pose_of(const Pose_points& points, const NamedParameters&
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const Eigen::Vector3d upward = upward_direction_of(np);
-  const auto callback =
+  const std::function<bool(double)> callback =
       choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
   Head_pose<Kernel> pose;
   const auto is_cancelled = [&](const double advancement)
