@@ -46,15 +46,17 @@ public:
     // The height of a head that is flat or looks up is guessed badly: where no eyes are seen, others are tried.
     const Eigen::Vector3d origin = m_origin;
     const double unit = m_unit;
+    bool is_found = false;
     for(const double factor : {1., 1.2, 1.45, .83, 1.})
     {
       m_origin = origin;
       m_unit = factor * unit;
-      if(!find_tip_and_eyes())
-        return Found_head_features();
-      if(sees_eyes())
+      is_found = find_tip_and_eyes();
+      if(is_found && sees_eyes())
         break;
     }
+    if(!is_found)
+      return Found_head_features();
     find_mouth();
     find_midline();
     find_sides_of_nose();
