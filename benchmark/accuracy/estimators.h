@@ -4,12 +4,16 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
+#include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/moving_least_squares_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
+#include <Shape_characteristics/curvature/razdan_bae_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -180,6 +184,34 @@ inline std::function<void(const Task&)> hildebrandt_polthier(unsigned int rings)
   { SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
 }
 
+inline void batagelo_wu(const Task& t)
+{
+  SC::batagelo_wu_curvatures(t.mesh, t.parameters());
+}
+
+inline std::function<void(const Task&)> moving_least_squares(unsigned int rings)
+{
+  return [rings](const Task& t)
+  { SC::moving_least_squares_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+}
+
+inline void razdan_bae(const Task& t)
+{
+  SC::razdan_bae_curvatures(t.mesh, t.parameters());
+}
+
+/// It begins with normals of the mesh's own.
+inline std::function<void(const Task&)> kalogerakis(unsigned int rings)
+{
+  return [rings](const Task& t)
+  {
+    SC::kalogerakis_curvatures(t.mesh,
+                               SC::parameters::vertex_principal_curvatures_and_directions_map(t.curvatures)
+                                   .vertex_status_map(t.statuses)
+                                   .number_of_rings(rings));
+  };
+}
+
 /// The estimators that are compared: a new one is a new line here.
 ///
 /// The inverse multiquadric of Table 8.7 is fitted as a positive-definite basis, with a shape parameter that follows the
@@ -207,12 +239,17 @@ inline const std::vector<Estimator>& estimators()
       {"Taubin", "1 ring", everywhere(), taubin},
       {"Goldfeather-Interrante", "1 ring", everywhere("GI"), goldfeather_interrante(1)},
       {"Goldfeather-Interrante", "2 rings", everywhere("GI"), goldfeather_interrante(2)},
+      {"Kalogerakis", "1 ring", everywhere("Kal"), kalogerakis(1)},
+      {"Kalogerakis", "2 rings", everywhere("Kal"), kalogerakis(2)},
       {"normal cycle", "2 edges", everywhere(), normal_cycle(2)},
-      {"normal cycle", "4 edges", everywhere(), normal_cycle(4)},
+      {"normal cycle", "4 edges", everywhere(), normal_cycle(4), Cost::HIGH},
+      {"Batagelo-Wu", "1 ring", everywhere(), batagelo_wu},
+      {"moving least squares", "3 rings", everywhere(), moving_least_squares(3)},
+      {"Razdan-Bae", "2 rings", everywhere(), razdan_bae},
       {"Hildebrandt-Polthier", "1 edge", everywhere("HP"), hildebrandt_polthier(1)},
       {"Hildebrandt-Polthier", "2 edges", everywhere("HP"), hildebrandt_polthier(2)},
-      {"Hildebrandt-Polthier", "3 edges", everywhere("HP"), hildebrandt_polthier(3)},
-      {"Hildebrandt-Polthier", "4 edges", everywhere("HP"), hildebrandt_polthier(4)},
+      {"Hildebrandt-Polthier", "3 edges", everywhere("HP"), hildebrandt_polthier(3), Cost::HIGH},
+      {"Hildebrandt-Polthier", "4 edges", everywhere("HP"), hildebrandt_polthier(4), Cost::HIGH},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
       {"jet d=2", "4 rings", everywhere(), jet(2, 4)},
       {"jet d=4", "2 rings", everywhere(), jet(4, 2)},

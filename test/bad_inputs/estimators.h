@@ -4,12 +4,16 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
+#include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/moving_least_squares_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
+#include <Shape_characteristics/curvature/razdan_bae_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -83,11 +87,16 @@ struct Estimator
   // How much it matters, in units of the largest curvature (or of the normal), which samples have a fit of their own and
   // which are served by that of another: other input far away may change it. 0: it is always the same.
   double difference_of_fits = 0.;
+  // A vertex farther than so many edges from a change doesn't see it: two rings, two more where those have too few vertices,
+  // and one for the normals.
+  std::size_t sight = 5;
   // It averages over a pattern, whose radius is the mean edge length of the whole, and which doesn't turn with the input.
   bool has_pattern = false;
   // There is a bound on curvature times size of the neighborhood, for every input.
   bool is_bounded = true;
   bool needs_triangles = false;
+  // At an edge of the surface it may find nothing.
+  bool needs_smoothness = false;
   // Flipped normals negate the curvatures to the last bit.
   bool flips_exactly = true;
   // It looks at the axes of coordinates.
@@ -381,6 +390,32 @@ std::vector<Estimator<Input>> estimators()
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;
+  const auto batagelo_wu = [](auto&&... a)
+  { return SC::batagelo_wu_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto moving_least_squares = [](auto&&... a)
+  { return SC::moving_least_squares_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto razdan_bae = [](auto&&... a)
+  { return SC::razdan_bae_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto kalogerakis = [](auto&&... a)
+  { return SC::kalogerakis_curvatures(std::forward<decltype(a)>(a)...); };
+  list.add_curvatures("batagelo_wu", batagelo_wu, defaults).accuracy = .05;
+  {
+    Estimator<Input>& e = list.add_curvatures("moving_least_squares", moving_least_squares, defaults);
+    e.sight = 6; // three rings
+    e.needs_smoothness = true;
+    e.accuracy = .5; // it sees how the points are spread
+  }
+  {
+    Estimator<Input>& e = list.add_curvatures("razdan_bae", razdan_bae, defaults);
+    e.accuracy = .05;
+    e.reproducibility = 1e-8;
+  }
+  {
+    Estimator<Input>& e = list.add_curvatures("kalogerakis", kalogerakis, defaults);
+    e.sight = 8; // neighbors of neighbors of neighbors
+    e.accuracy = .1;
+    e.reproducibility = 1e-6; // iterations end a little earlier or later
+  }
   if constexpr(std::is_same_v<Input, Mesh>)
   {
     const auto rusinkiewicz = [](auto&&... a)

@@ -2,13 +2,17 @@
 #include "estimators.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/interpolated_corrected_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
+#include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/moving_least_squares_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
+#include <Shape_characteristics/curvature/razdan_bae_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -110,6 +114,29 @@ void hildebrandt_polthier(Workload& w, unsigned int threads)
              { SC::hildebrandt_polthier_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
 }
 
+void batagelo_wu(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::batagelo_wu_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void moving_least_squares(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag)
+             { SC::moving_least_squares_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void razdan_bae(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::razdan_bae_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void kalogerakis(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag) { SC::kalogerakis_curvatures<decltype(tag)>(w.mesh, outputs(w)); });
+}
+
 void goldfeather_interrante(Workload& w, unsigned int threads)
 {
   on_threads(threads, [&](auto tag)
@@ -204,6 +231,10 @@ const std::vector<Estimator>& estimators()
       {"Theisel", "1 ring", false, theisel},
       {"Meyer", "1 ring", false, meyer},
       {"Taubin", "1 ring", false, taubin},
+      {"Batagelo-Wu", "1 ring", false, batagelo_wu},
+      {"moving least squares", "3 rings", true, moving_least_squares},
+      {"Razdan-Bae", "2 rings", false, razdan_bae},
+      {"Kalogerakis", "2 rings", true, kalogerakis},
       {"normal cycle", "2 edges", true, normal_cycle},
       {"Hildebrandt-Polthier", "2 edges", true, hildebrandt_polthier},
       {"Goldfeather-Interrante", "2 rings", false, goldfeather_interrante},

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/internal/Least_squares_equations.h>
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
@@ -15,7 +16,6 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -24,76 +24,7 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Least squares in seven unknowns by Cholesky's method. Plain loops: matrices of a fixed size of Eigen's are unrolled, which
-// takes minutes to compile.
-class Cubic_fit_equations
-{
-public:
-  using Coefficients = std::array<double, 7>;
-
-  void add(const Coefficients& row, double value)
-  {
-    for(std::size_t i = 0; i < 7; ++i)
-    {
-      for(std::size_t j = 0; j <= i; ++j)
-        m_matrix[i][j] += row[i] * row[j];
-      m_right_side[i] += value * row[i];
-    }
-  }
-
-  // whether there is one solution
-  bool solve(Coefficients& x)
-  {
-    Coefficients& d = x; // lengths of the columns of the equations, until the end
-    for(std::size_t i = 0; i < 7; ++i)
-    {
-      if(!(m_matrix[i][i] > 0.))
-        return false;
-      d[i] = std::sqrt(m_matrix[i][i]);
-    }
-    Coefficients y{};
-    for(std::size_t i = 0; i < 7; ++i)
-    {
-      y[i] = m_right_side[i] / d[i];
-      for(std::size_t j = 0; j <= i; ++j)
-      {
-        double& entry = m_matrix[i][j];
-        entry /= d[i] * d[j];
-        for(std::size_t k = 0; k < j; ++k)
-          entry -= m_matrix[i][k] * m_matrix[j][k];
-        if(j < i)
-        {
-          entry /= m_matrix[j][j];
-          y[i] -= entry * y[j];
-        }
-        else
-        {
-          entry = std::sqrt(entry);
-          if(!(entry > s_smallest_pivot))
-            return false;
-        }
-      }
-      y[i] /= m_matrix[i][i];
-    }
-    for(std::size_t i = 7; i-- > 0;)
-    {
-      for(std::size_t k = i + 1; k < 7; ++k)
-        y[i] -= m_matrix[k][i] * y[k];
-      y[i] /= m_matrix[i][i];
-    }
-    for(std::size_t i = 0; i < 7; ++i)
-      x[i] = y[i] / d[i];
-    return true;
-  }
-
-private:
-  // Of the columns of the equations, the smallest part that is no combination of those before it: about 0.1 where all is
-  // well, and 1e-8 where rounding errors are all there is.
-  static constexpr double s_smallest_pivot = 1e-6;
-
-  std::array<Coefficients, 7> m_matrix{}; // the lower triangle
-  Coefficients m_right_side{};
-};
+using Cubic_fit_equations = Least_squares_equations<7>;
 
 template <typename SampledSurface>
 class Goldfeather_interrante_estimator
