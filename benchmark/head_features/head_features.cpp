@@ -179,7 +179,7 @@ int run(const Command_line& arguments)
 
   Measurements measurements;
   std::vector<Deformation_difference> deformations;
-  std::map<std::string, std::pair<Features, Features> > tessellations; // skin and loop1
+  std::map<std::string, std::pair<Features, Features> > tessellations; // by name and mode: skin and loop1
   std::map<std::string, double> heights;
   std::map<std::string, std::pair<double, std::size_t> > seconds;
   const std::string deformed_variant = arguments.text("deformed", "crop");
@@ -199,16 +199,14 @@ int run(const Command_line& arguments)
       time.first += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       ++time.second;
       measurements.add(head, mode, found);
-      if(mode != "default")
-        continue;
-      if(file.variant == deformed_variant)
+      if(mode == "default" && file.variant == deformed_variant)
         for(std::size_t i = 0; i < SC::number_of_head_expressions; ++i)
           deformations.push_back(deformation_difference(head, found, static_cast<SC::Head_expression>(i)));
       if(file.variant == "skin")
-        tessellations[file.name].first = found;
+        tessellations[file.name + ", " + mode].first = found;
       if(file.variant == "loop1")
-        tessellations[file.name].second = found;
-      heights[file.name] = head.truth.head_height;
+        tessellations[file.name + ", " + mode].second = found;
+      heights[file.name + ", " + mode] = head.truth.head_height;
     }
     std::cerr << file.name << ' ' << file.variant << " done\n";
   }
@@ -241,13 +239,17 @@ int run(const Command_line& arguments)
     {
       if(!both.first.is_head || !both.second.is_head)
         continue;
-      Tessellation_row row{name, {}, {}};
+      Tessellation_row row{name, {}, {}, {}};
       for(std::size_t i = 0; i < SC::number_of_head_features; ++i)
       {
         const auto &a = both.first.points[i], &b = both.second.points[i];
         if(a.is_found && b.is_found)
+        {
           row.distances.push_back(100. * std::sqrt(CGAL::squared_distance(a.position, b.position)) /
                                   heights.at(name));
+          if(row.distances.back() > .3)
+            row.far.push_back(SC::to_string(static_cast<Head_feature>(i)));
+        }
         else if(a.is_found != b.is_found)
           row.only_on_one.push_back(SC::to_string(static_cast<Head_feature>(i)));
       }

@@ -189,19 +189,21 @@ std::string markdown_regions(const Measurements& measurements,
 
 std::string markdown_tessellations(const std::vector<Tessellation_row>& rows)
 {
-  std::string out = head_row("head", {"points on both", "median", "maximum", "above 0.3 %", "on one alone"});
+  std::string out =
+      head_row("head and mode", {"points on both", "median", "maximum", "above 0.3 %", "on one alone"});
   for(const Tessellation_row& row : rows)
   {
     const Error_summary s = summary(row.distances);
-    std::size_t above = 0;
-    for(const double d : row.distances)
-      above += d > .3 ? 1 : 0;
-    std::string alone;
-    for(const std::string& name : row.only_on_one)
-      alone += (alone.empty() ? "" : ", ") + name;
+    const auto listed = [](const std::vector<std::string>& names)
+    {
+      std::string all;
+      for(const std::string& name : names)
+        all += (all.empty() ? "" : ", ") + name;
+      return all;
+    };
     out += "| " + row.name + " | " + std::to_string(s.all) + " | " + text(s.median, 3) + " | " +
-           marked(text(s.maximum, 3), !(s.maximum <= .3)) + " | " + std::to_string(above) + " | " + alone +
-           " |\n";
+           marked(text(s.maximum, 3), !(s.maximum <= .3)) + " | " + listed(row.far) + " | " +
+           listed(row.only_on_one) + " |\n";
   }
   return out + "\n";
 }

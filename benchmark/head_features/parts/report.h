@@ -24,6 +24,7 @@ struct Tessellation_row
 {
   std::string name;
   std::vector<double> distances; ///< of the features found on both
+  std::vector<std::string> far;  ///< names of the features that are more than 0.3 % apart
   std::vector<std::string> only_on_one;
 };
 
