@@ -94,6 +94,8 @@ const char* name(SC::Head_obstacle obstacle)
     return "there are too few points";
   case SC::Head_obstacle::CANCELLED:
     return "the search was stopped";
+  case SC::Head_obstacle::INSIDE_OUT:
+    return "its faces are oriented inward";
   case SC::Head_obstacle::NO_NOSE:
     return "there is no nose";
   case SC::Head_obstacle::SHAPE_DISAGREES:

@@ -45,6 +45,8 @@ std::string name(SC::Head_obstacle obstacle)
     return "";
   case SC::Head_obstacle::FEW_SAMPLES:
     return "few samples";
+  case SC::Head_obstacle::INSIDE_OUT:
+    return "inside out";
   case SC::Head_obstacle::NO_NOSE:
     return "no nose";
   case SC::Head_obstacle::SHAPE_DISAGREES:

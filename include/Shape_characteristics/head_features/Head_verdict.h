@@ -16,9 +16,10 @@ enum class Head_verdict : unsigned char
 /// says why a shape was not taken for a head, or not with certainty
 enum class Head_obstacle : unsigned char
 {
-  NONE,               ///< nothing: the verdict is `HEAD`
-  FEW_SAMPLES,        ///< there are too few points that can be used
-  CANCELLED,          ///< the callback stopped the search
+  NONE,        ///< nothing: the verdict is `HEAD`
+  FEW_SAMPLES, ///< there are too few points that can be used
+  CANCELLED,   ///< the callback stopped the search
+  INSIDE_OUT, ///< it is a head, but its normals point inward: reverse the orientation of the faces, or the normals
   NO_NOSE,            ///< nothing stands out as the tip of a nose does
   SHAPE_DISAGREES,    ///< no pose brings the shape and a mean head together well enough
   FACE_IS_INCOMPLETE, ///< a large part of the face, or one side of it, isn't there

@@ -89,7 +89,8 @@ Eigen::Vector3d upward_direction_of(const NamedParameters& np)
 }
 
 template <typename Kernel, typename NamedParameters>
-Head_pose<Kernel> head_pose_of(const Pose_points& points, const NamedParameters& np)
+Head_pose<Kernel>
+head_pose_of(const Pose_points& points, const NamedParameters& np, const bool is_reversed = false)
 {
   using FT = typename Kernel::FT;
   using parameters::choose_parameter;
@@ -110,6 +111,16 @@ Head_pose<Kernel> head_pose_of(const Pose_points& points, const NamedParameters&
   const Pose_surface surface(points);
   if(!surface.is_valid())
     return pose;
+  if(surface.is_inside_out() && !is_reversed)
+  {
+    // nothing stands out of it as a nose does; the other way round, it may tell what is wrong
+    pose = head_pose_of<Kernel>(reversed(points), np, true);
+    if(pose.verdict != Head_verdict::NOT_A_HEAD)
+      pose.obstacle = Head_obstacle::INSIDE_OUT;
+    pose.verdict = Head_verdict::NOT_A_HEAD;
+    pose.confidence = 0.;
+    return pose;
+  }
   const Mirror_search mirrors(surface);
   const std::vector<Mirror_fit> planes = mirrors.run();
   if(is_cancelled(.4))
@@ -119,6 +130,15 @@ Head_pose<Kernel> head_pose_of(const Pose_points& points, const NamedParameters&
   if(is_cancelled(1.))
     return pose;
   judge_pose(fit, upward, pose);
+  // a face that is seen from the side has two thirds of it on both
+  if(pose.verdict != Head_verdict::NOT_A_HEAD &&
+     mirrors.assess(fit.placement.mirror(), search.samples_of_face(fit.placement), .03 * fit.placement.scale)
+             .support < .5)
+  {
+    pose.verdict = Head_verdict::NOT_A_HEAD;
+    pose.obstacle = Head_obstacle::NO_SYMMETRY;
+    pose.confidence = 0.;
+  }
   if(fit.score < 0.)
     return pose;
 

@@ -39,6 +39,18 @@ struct Pose_points
   }
 };
 
+// the same surface with the normals to the other side
+inline Pose_points reversed(Pose_points points)
+{
+  for(Eigen::Vector3d& n : points.normals)
+    n = -n;
+  points.min_curvatures.swap(points.max_curvatures);
+  for(std::vector<double>* k : {&points.min_curvatures, &points.max_curvatures})
+    for(double& x : *k)
+      x = -x;
+  return points;
+}
+
 /*
   A surface as the search for its symmetry and its pose takes it: some thousand samples, evenly spread whatever the
   tessellation, in coordinates of their own: their mean is the origin, and the farthest of them is at distance 1.
@@ -85,6 +97,14 @@ public:
   // the samples
   const std::vector<Eigen::Vector3d>& points() const noexcept { return m_points; }
   const std::vector<Eigen::Vector3d>& normals() const noexcept { return m_normals; }
+  // whether most normals point to the middle
+  bool is_inside_out() const
+  {
+    double sum = 0.;
+    for(std::size_t i = 0; i < m_points.size(); ++i)
+      sum += m_normals[i].dot(m_points[i]);
+    return sum < 0.;
+  }
   // median distance of neighboring samples
   double spacing() const noexcept { return m_spacing; }
   // mean and Gaussian curvature, averaged over the two radii
