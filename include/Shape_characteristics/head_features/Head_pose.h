@@ -15,7 +15,7 @@ namespace Shape_characteristics {
   The frame of a head is the thesis's (section 9.1.1): the nose points towards +z, the top of the head is towards +y, the plane of
   symmetry is x = 0, and the box around the head has its center in the origin and 1 as its longest side. What the box contains
   doesn't depend on how much beside the head is there: it is the one around the mean head, from its top down to the neck,
-  5 % of its height below the chin, after it was brought to this head by a similarity. So a bust, the head cut from it, and a
+  a tenth of its height below the chin, after it was brought to this head by a similarity. So a bust, the head cut from it, and a
   scan of its face have the same frame. The head's own box differs by a few percent, and the box of a bust reaches farther down
   and to the sides.
 
