@@ -21,7 +21,7 @@ namespace Shape_characteristics {
 
       const auto head = detect_head_features(mesh);
       if(head.is_head && head[Head_feature::M1].is_found)
-        std::cout << head[Head_feature::M1].position;
+        mark(head[Head_feature::M1].position);
 
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam GeomTraits a \cgal kernel
