@@ -22,11 +22,11 @@ namespace internal {
 // triangle shows, so that sums over flipped triangles have the same bits.
 struct Ring_triangle
 {
-  Face_graph_samples::Index first, second;
-  Eigen::Vector3d a, b;               // from the vertex to them, in the ring's unit
-  double aa, bb, ab;                  // squares and product
-  double doubled_area;                // never zero
-  double first_corner, second_corner; // of the mixed area below: on the sides of the edges a and b
+  Face_graph_samples::Index first = 0, second = 0;
+  Eigen::Vector3d a, b;                         // from the vertex to them, in the ring's unit
+  double aa = 0., bb = 0., ab = 0.;             // squares and product
+  double doubled_area = 0.;                     // never zero in a ring
+  double first_corner = 0., second_corner = 0.; // of the mixed area below: on the sides of the edges a and b
 
   // of the angles at the other two vertices
   double cotangent_at_first() const { return (aa - ab) / doubled_area; }
