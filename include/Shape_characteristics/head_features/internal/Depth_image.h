@@ -154,8 +154,12 @@ public:
   template <typename Predicate>
   Surface_point point(double u, double v, const Predicate& accepts) const
   {
-    const int i0 = int(std::floor(column(u))), j0 = int(std::floor(row(v)));
     Surface_point best;
+    // far outside, or no place at all
+    if(!(column(u) > -2. && column(u) < m_depth.width() + 1. && row(v) > -2. &&
+         row(v) < m_depth.height() + 1.))
+      return best;
+    const int i0 = int(std::floor(column(u))), j0 = int(std::floor(row(v)));
     double best_depth = -std::numeric_limits<double>::infinity(), best_violation = 1.5 * m_pixel;
     bool is_inside = false;
     for(int j = j0 - 1; j <= j0 + 2; ++j)
@@ -250,10 +254,12 @@ private:
       return;
     const auto [u_min, u_max] = std::minmax_element(p.u.begin(), p.u.end());
     const auto [v_min, v_max] = std::minmax_element(p.v.begin(), p.v.end());
-    const int i_begin = int(std::ceil(std::max(column(*u_min), 0.))),
-              i_end = int(std::floor(std::min(column(*u_max), double(m_depth.width() - 1)))),
-              j_begin = int(std::ceil(std::max(row(*v_min), 0.))),
-              j_end = int(std::floor(std::min(row(*v_max), double(m_depth.height() - 1))));
+    // within the image and one pixel about it: farther away, numbers are no indices any more
+    const auto within = [](double x, int size) { return std::min(std::max(x, -1.), double(size)); };
+    const int i_begin = std::max(int(std::ceil(within(column(*u_min), m_depth.width()))), 0),
+              i_end = std::min(int(std::floor(within(column(*u_max), m_depth.width()))), m_depth.width() - 1),
+              j_begin = std::max(int(std::ceil(within(row(*v_min), m_depth.height()))), 0),
+              j_end = std::min(int(std::floor(within(row(*v_max), m_depth.height()))), m_depth.height() - 1);
     for(int j = j_begin; j <= j_end; ++j)
       for(int i = i_begin; i <= i_end; ++i)
       {

@@ -92,6 +92,8 @@ public:
   double depth(double u, double v) const
   {
     const double x = m_image.column(u), y = m_image.row(v);
+    if(!(x >= 0. && x < m_smooth.width() && y >= 0. && y < m_smooth.height()))
+      return std::numeric_limits<double>::quiet_NaN();
     const int i = int(std::floor(x)), j = int(std::floor(y));
     if(!m_smooth.contains(i, j) || !m_smooth.contains(i + 1, j + 1))
       return std::numeric_limits<double>::quiet_NaN();
