@@ -140,11 +140,7 @@ Neighborhood batagelo_wu_mesh_neighborhood(const NamedParameters& np)
       \cgalParamExtra{Where the neighbors are fewer than three, or all in one direction, up to two rings are added. If
                       that isn't enough, the status is `FEW_NEIGHBOURS` or `DEGENERATE`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -225,11 +221,7 @@ Estimation_status batagelo_wu_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDefault{`18`}
       \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`. Six are about what a ring of a mesh has.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 

@@ -117,11 +117,7 @@ private:
       \cgalParamExtra{Where the neighbors are fewer than three, or don't determine a polynomial, up to two rings are
                       added. If that isn't enough, the status is `FEW_NEIGHBOURS` or `DEGENERATE`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -204,11 +200,7 @@ Estimation_status goldfeather_interrante_curvatures(typename internal::Vertex_de
       \cgalParamDefault{`18`}
       \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 

@@ -82,11 +82,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
                       less than 5 neighbors, up to two rings are added.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \cgalParamNBegin{fits_are_shared}
       \cgalParamDescription{whether the function that was fitted at a vertex may serve the vertices near it as well}
       \cgalParamType{`bool`}
@@ -202,11 +198,7 @@ Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`18`}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
   \cgalNamedParamsEnd
 
   \return the number of points that could not be estimated. Their values are quiet NaN, their status says why.

@@ -149,11 +149,7 @@ private:
       \cgalParamExtra{Where the neighbors are too few for the degree, or don't determine a polynomial, up to two rings are added. If that isn't enough, the
                       status is `FEW_NEIGHBOURS` or `DEGENERATE`. The degree is never lowered.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -242,11 +238,7 @@ Estimation_status jet_fitting_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDefault{`18`}
       \cgalParamExtra{With fewer than the polynomial needs, every status is `FEW_NEIGHBOURS`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 

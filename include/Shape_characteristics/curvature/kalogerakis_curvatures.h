@@ -405,11 +405,7 @@ private:
       \cgalParamExtra{Where the neighbors are fewer than three, or on a line, up to two rings are added. If that isn't
                       enough, the status is `FEW_NEIGHBOURS` or `DEGENERATE`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -491,11 +487,7 @@ Estimation_status kalogerakis_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDefault{`18`}
       \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 

@@ -261,11 +261,7 @@ Neighborhood moving_least_squares_neighborhood(const NamedParameters& np)
       \cgalParamDefault{`36`}
       \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -318,11 +314,7 @@ std::size_t moving_least_squares_curvatures(PointRange&& points,
       \cgalParamExtra{Where the neighbors are fewer than three, or on a line, up to two rings are added. If that isn't
                       enough, the status is `FEW_NEIGHBOURS` or `DEGENERATE`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 

@@ -138,11 +138,7 @@ private:
       \cgalParamExtra{Where the neighbors are fewer than eight, or don't determine a patch, up to two rings are
                       added. If that isn't enough, the status is `FEW_NEIGHBOURS` or `DEGENERATE`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, in the unit of the points, instead of a number of rings}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfMeshParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
@@ -225,11 +221,7 @@ Estimation_status razdan_bae_curvatures(typename internal::Vertex_descriptor<Fac
       \cgalParamDefault{`18`}
       \cgalParamExtra{With fewer than eight, every status is `FEW_NEIGHBOURS`.}
     \cgalParamNEnd
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the neighborhood, instead of a number of neighbors}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
+    \scRadiusOfPointSetParameter
     \scCallbackParameter
   \cgalNamedParamsEnd
 
