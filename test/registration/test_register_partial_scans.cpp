@@ -313,22 +313,30 @@ BOOST_AUTO_TEST_CASE(starts_and_seeds)
   }
 }
 
-// One plane beneath the other by a spacing: the points of one are beneath, those of the other are not.
+// One plane beneath the other by a spacing: the points of one are beneath, those of the other are not. The source is
+// denser, so that it can be told which.
 BOOST_AUTO_TEST_CASE(planes_beneath_each_other)
 {
-  SC::Oriented_points points;
-  for(int i = 0; i < 30; ++i)
-    for(int j = 0; j < 30; ++j)
-    {
-      points.points.push_back({double(i), double(j), 0.});
-      points.normals.push_back({0., 0., 1.});
-    }
-  for(const double height : {-1., -.1, 0., .1, 1.})
+  const auto grid = [](const int per_edge, const double spacing)
+  {
+    SC::Oriented_points points;
+    for(int i = 0; i < per_edge; ++i)
+      for(int j = 0; j < per_edge; ++j)
+      {
+        points.points.push_back({spacing * i, spacing * j, 0.});
+        points.normals.push_back({0., 0., 1.});
+      }
+    return points;
+  };
+  const SC::Oriented_points source = grid(59, .5), target = grid(30, 1.);
+  const double share_of_source = double(source.size()) / double(source.size() + target.size());
+  for(const auto& [height, penetration] : std::vector<std::pair<double, double> >{
+          {-1., share_of_source}, {-.1, 0.}, {0., 0.}, {.1, 0.}, {1., 1. - share_of_source}})
   {
     const SC::Registration_quality quality =
-        SC::assess_registration(points, points, Eigen::Isometry3d(Eigen::Translation3d(0., 0., height)));
+        SC::assess_registration(source, target, Eigen::Isometry3d(Eigen::Translation3d(0., 0., height)));
     BOOST_TEST(quality.overlap == 1.);
-    BOOST_TEST(quality.penetration == (std::abs(height) < .5 ? 0. : .5));
+    BOOST_TEST(quality.penetration == penetration, boost::test_tools::tolerance(1e-12));
     BOOST_TEST(quality.agreement == (std::abs(height) < .5 ? 1. : 0.));
     BOOST_TEST(quality.opposition == 0.);
   }
