@@ -1,19 +1,10 @@
 #ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_POINTS_OF_H
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_POINTS_OF_H
 
-#include <Shape_characteristics/Named_function_parameters.h>
-#include <Shape_characteristics/Principal_curvatures_and_directions.h>
-#include <Shape_characteristics/curvature/hrbf_curvatures.h>
-#include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
+#include <Shape_characteristics/curvature/given_or_estimated_curvatures.h>
 #include <Shape_characteristics/head_features/internal/pose_surface.h>
-#include <Shape_characteristics/internal/point_set_parameters.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
-
-#include <CGAL/Dynamic_property_map.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/number_utils.h>
-#include <CGAL/property_map.h>
 
 #include <Eigen/Core>
 
@@ -26,10 +17,6 @@
 
 namespace Shape_characteristics {
 namespace internal {
-
-// The kernel in which curvatures are estimated, whatever that of the surface is: what samples hold.
-using Pose_kernel = CGAL::Simple_cartesian<double>;
-using Pose_curvatures = Principal_curvatures_and_directions<Pose_kernel>;
 
 // Points within faces whose edges are long by the size of the surface, so that a box of twelve triangles has as many as a fine
 // mesh of it. Normals and curvatures are those of the corners, interpolated.
@@ -87,144 +74,39 @@ inline void add_points_of_large_faces(const Face_graph_samples& samples, Pose_po
     }
 }
 
+// one for each sample; those that can't be used are NaN
+template <typename Samples>
+Pose_points pose_points_of_samples(const Samples& samples,
+                                   const std::vector<Sample_principal_curvatures>& curvatures)
+{
+  const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  Pose_points all;
+  for(std::size_t i = 0; i < samples.size(); ++i)
+  {
+    const bool usable = samples.is_usable(i);
+    all.add(usable ? samples.point(i) : none, usable ? samples.normal(i) : none, curvatures[i].min_curvature,
+            curvatures[i].max_curvature, std::uint32_t(i));
+  }
+  return all;
+}
+
 template <typename ConcurrencyTag, typename FaceGraph, typename NamedParameters>
 Pose_points pose_points_of_mesh(const FaceGraph& mesh, const NamedParameters& np)
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  using Map_tag = internal_np::vertex_principal_curvatures_and_directions_map_t;
-
   const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(
       mesh, Neighborhood::rings(1), np, Face_graph_samples::Connectivity::NEIGHBORS_AND_FACES);
-  Pose_points all;
-  const auto add = [&](const std::size_t i, const double min_curvature, const double max_curvature)
-  {
-    const bool usable = samples.is_usable(i);
-    const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    all.add(usable ? samples.point(i) : none, usable ? samples.normal(i) : none, min_curvature, max_curvature,
-            std::uint32_t(i));
-  };
-  if constexpr(!is_default_parameter<NamedParameters, Map_tag>::value)
-  {
-    const auto map = get_parameter(np, internal_np::vertex_principal_curvatures_and_directions_map);
-    std::size_t i = 0;
-    for(const auto v : vertices(mesh))
-    {
-      const auto c = get(map, v);
-      add(i++, CGAL::to_double(c.min_curvature), CGAL::to_double(c.max_curvature));
-    }
-  }
-  else
-  {
-    auto points = get(CGAL::dynamic_vertex_property_t<Pose_kernel::Point_3>(), mesh);
-    auto normals = get(CGAL::dynamic_vertex_property_t<Pose_kernel::Vector_3>(), mesh);
-    auto curvatures = get(CGAL::dynamic_vertex_property_t<Pose_curvatures>(), mesh);
-    std::size_t i = 0;
-    for(const auto v : vertices(mesh))
-    {
-      const Eigen::Vector3d &p = samples.point(i), &n = samples.normal(i);
-      put(points, v, Pose_kernel::Point_3(p.x(), p.y(), p.z()));
-      put(normals, v, Pose_kernel::Vector_3(n.x(), n.y(), n.z()));
-      ++i;
-    }
-    rusinkiewicz_curvatures<ConcurrencyTag>(mesh,
-                                            parameters::vertex_point_map(points)
-                                                .vertex_normal_map(normals)
-                                                .vertex_principal_curvatures_and_directions_map(curvatures));
-    i = 0;
-    for(const auto v : vertices(mesh))
-    {
-      const Pose_curvatures c = get(curvatures, v);
-      add(i++, c.min_curvature, c.max_curvature);
-    }
-  }
+  Pose_points all =
+      pose_points_of_samples(samples, given_or_estimated_curvatures<ConcurrencyTag>(mesh, samples, np));
   add_points_of_large_faces(samples, all);
   return all;
 }
 
-// property maps of the numbers of samples
-
-struct Pose_point_map
-{
-  using key_type = std::uint32_t;
-  using value_type = Pose_kernel::Point_3;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-  const Point_set_samples* samples;
-  friend value_type get(const Pose_point_map& map, const key_type i)
-  {
-    const Eigen::Vector3d& p = map.samples->point(i);
-    return {p.x(), p.y(), p.z()};
-  }
-};
-
-struct Pose_normal_map
-{
-  using key_type = std::uint32_t;
-  using value_type = Pose_kernel::Vector_3;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-  const Point_set_samples* samples;
-  friend value_type get(const Pose_normal_map& map, const key_type i)
-  {
-    const Eigen::Vector3d& n = map.samples->normal(i);
-    return {n.x(), n.y(), n.z()};
-  }
-};
-
-struct Pose_curvature_map
-{
-  using key_type = std::uint32_t;
-  using value_type = Pose_curvatures;
-  using reference = value_type&;
-  using category = boost::writable_property_map_tag;
-  std::vector<value_type>* values;
-  friend void put(const Pose_curvature_map& map, const key_type i, const value_type& value)
-  {
-    (*map.values)[i] = value;
-  }
-};
-
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
 Pose_points pose_points_of_range(const PointRange& points, const NamedParameters& np)
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-
   const Point_set_samples samples = sampled_surface(points, Neighborhood::nearest(1), np);
-  Pose_points all;
-  const auto add = [&](const std::size_t i, const double min_curvature, const double max_curvature)
-  {
-    const bool usable = samples.is_usable(i);
-    const Eigen::Vector3d none = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-    all.add(usable ? samples.point(i) : none, usable ? samples.normal(i) : none, min_curvature, max_curvature,
-            std::uint32_t(i));
-  };
-  if constexpr(!is_default_parameter<NamedParameters,
-                                     internal_np::principal_curvatures_and_directions_map_t>::value)
-  {
-    const auto map = get_parameter(np, internal_np::principal_curvatures_and_directions_map);
-    std::size_t i = 0;
-    for(const auto& item : points)
-    {
-      const auto c = get(map, item);
-      add(i++, CGAL::to_double(c.min_curvature), CGAL::to_double(c.max_curvature));
-    }
-  }
-  else
-  {
-    std::vector<std::uint32_t> numbers;
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      numbers.push_back(std::uint32_t(i));
-    std::vector<Pose_curvatures> curvatures(samples.size());
-    hrbf_curvatures<ConcurrencyTag>(
-        numbers, parameters::point_map(Pose_point_map{&samples})
-                     .normal_map(Pose_normal_map{&samples})
-                     .principal_curvatures_and_directions_map(Pose_curvature_map{&curvatures}));
-    for(std::size_t i = 0; i < samples.size(); ++i)
-      add(i, curvatures[i].min_curvature, curvatures[i].max_curvature);
-  }
-  return all;
+  return pose_points_of_samples(samples,
+                                given_or_estimated_curvatures<ConcurrencyTag>(points, samples, np, true));
 }
 
 } // namespace internal
