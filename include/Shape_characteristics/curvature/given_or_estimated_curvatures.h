@@ -91,7 +91,13 @@ struct Map_of_sample_curvatures
 
   returns the principal curvatures of the vertices of a mesh, in the order of `vertices(mesh)`: those of
   `vertex_principal_curvatures_and_directions_map` if `np` has one, else those that `rusinkiewicz_curvatures()` estimates from
-  the points and normals of `samples`.
+  the points and normals of `samples`. A curvature that is given is taken as it is; one that could not be estimated is NaN.
+
+  \tparam ConcurrencyTag as in `rusinkiewicz_curvatures()`
+
+  \param mesh the surface
+  \param samples the samples of its vertices
+  \param np named parameters: `vertex_principal_curvatures_and_directions_map`, all others are ignored
 
   \throws std::invalid_argument if they are to be estimated and a face is not a triangle
 */
@@ -142,8 +148,14 @@ std::vector<Sample_principal_curvatures> given_or_estimated_curvatures(const Fac
 
   returns the principal curvatures of the points of a point set, in its order: those of
   `principal_curvatures_and_directions_map` if `np` has one, else those that `hrbf_curvatures()` with its default neighborhood
-  estimates from the points and normals of `samples`.
+  estimates from the points and normals of `samples`. A curvature that is given is taken as it is; one that could not be
+  estimated is NaN.
 
+  \tparam ConcurrencyTag as in `hrbf_curvatures()`
+
+  \param points the points
+  \param samples their samples
+  \param np named parameters: `principal_curvatures_and_directions_map`, all others are ignored
   \param fits_are_shared see `hrbf_curvatures()`. If not, the order of the points doesn't matter.
 */
 template <typename ConcurrencyTag, typename PointRange, typename NamedParameters>
