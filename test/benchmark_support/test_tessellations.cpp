@@ -1,6 +1,7 @@
 #define BOOST_TEST_MODULE tessellations
 #include <boost/test/unit_test.hpp>
 
+#include "dual_contouring.h"
 #include "tessellations.h"
 
 #include <algorithm>
@@ -106,6 +107,57 @@ BOOST_AUTO_TEST_CASE(marching_cubes_makes_a_sphere_and_a_torus)
     BOOST_TEST(tt.euler == 0);
     BOOST_TEST(std::abs(volume(t) - 2. * M_PI * M_PI * .16) < .02 * 2. * M_PI * M_PI * .16);
   }
+}
+
+// nearer to the surface than the cells are large, with the surface's shape and its edges
+BOOST_AUTO_TEST_CASE(dual_contouring_makes_a_sphere_a_torus_and_a_box)
+{
+  const auto sphere = [](const Vector& p) { return dot(p, p) - 1.; };
+  const Triangle_arrays s = dual_contouring(
+      sphere, [](const Vector& p) { return 2. * p; }, {-1.5, -1.5, -1.5}, {1.5, 1.5, 1.5}, 40);
+  const Topology ts = topology(s);
+  BOOST_TEST((ts.manifold && !ts.degenerate && ts.border_edges == 0 && ts.unreferenced == 0));
+  BOOST_TEST(ts.euler == 2);
+  BOOST_TEST(std::abs(volume(s) - 4. / 3. * M_PI) < .01 * 4. / 3. * M_PI); // outward: positive
+  for(const Vector& p : s.points)
+    BOOST_TEST(std::abs(length(p) - 1.) < .1 * 3. / 39.);
+
+  const auto torus = [](const Vector& p)
+  {
+    const double d = std::hypot(p.x, p.y) - 1.;
+    return d * d + p.z * p.z - .16;
+  };
+  const auto gradient = [](const Vector& p)
+  {
+    const double r = std::hypot(p.x, p.y), d = 2. * (r - 1.) / r;
+    return Vector{d * p.x, d * p.y, 2. * p.z};
+  };
+  const Triangle_arrays t = dual_contouring(torus, gradient, {-1.5, -1.5, -.5}, {1.5, 1.5, .5}, 40);
+  const Topology tt = topology(t);
+  BOOST_TEST((tt.manifold && !tt.degenerate && tt.border_edges == 0 && tt.unreferenced == 0));
+  BOOST_TEST(tt.euler == 0);
+
+  // the corners of a box, which marching cubes cuts off
+  const Vector half = {.51, .62, .73};
+  const auto depths = [&](const Vector& p) {
+    return Vector{std::abs(p.x) - half.x, std::abs(p.y) - half.y, std::abs(p.z) - half.z};
+  };
+  const auto box = [&](const Vector& p)
+  {
+    const Vector d = depths(p);
+    return std::max({d.x, d.y, d.z});
+  };
+  const auto normal = [&](const Vector& p)
+  {
+    const Vector d = depths(p);
+    Vector n;
+    for(std::size_t i = 0; i < 3; ++i)
+      n[i] = d[i] == box(p) ? (p[i] < 0. ? -1. : 1.) : 0.;
+    return n;
+  };
+  const Triangle_arrays b = dual_contouring(box, normal, {-1, -1, -1}, {1, 1, 1}, 20);
+  BOOST_TEST((topology(b).manifold && topology(b).euler == 2));
+  BOOST_TEST(std::abs(volume(b) - 8. * half.x * half.y * half.z) < 1e-9);
 }
 
 // random signs meet every case with every neighbor: ambiguous faces on both sides, loops that cross a face twice
