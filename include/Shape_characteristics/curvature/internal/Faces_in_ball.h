@@ -119,6 +119,9 @@ public:
     return {edge(face, c[0], c[1], c[2]), edge(face, c[0], c[2], c[1]), edge(face, c[1], c[2], c[0])};
   }
 
+  // whether the face is one of these
+  bool contains(Index face) const { return m_workspace.m_visited_faces[face] == m_workspace.m_query; }
+
   // whether the face is one of these, and comes after another one
   bool comes_after(Index face, Index other) const
   {
