@@ -72,6 +72,14 @@ file(WRITE ${SCRATCH}/normals/prints.h
   "#include <iostream>\ninline void f() { std::cerr << 1; }\nvoid g()\n{\n  printf(\"\");\n}\n")
 expect(find_output "^normals/prints.h: #include <iostream>" "std::cerr << 1" "printf")
 
+file(REMOVE ${SCRATCH}/normals/prints.h)
+
+write_header(normals/matrix.h "#include <Eigen/Core>" "using Matrix = Eigen::Matrix3d\;")
+write_header(curvature/has_matrix.h "#include <Shape_characteristics/normals/matrix.h>" "using A = Eigen::Array3d\;")
+write_header(curvature/has_none.h "#include <Shape_characteristics/normals/matrix.h>" "// of CGAL::Point_3"
+  "using Map = boost::property_map<int, int>\;")
+expect(find_missing_libraries "^curvature/has_none.h: names boost::")
+
 file(REMOVE_RECURSE ${SCRATCH})
 write_header(normals/normals.h "\\cgalParamNBegin{point_map}" "\\cgalParamNBegin{point}")
 file(WRITE ${SCRATCH}/table "<td class=\"paramname\">point_map</td>")

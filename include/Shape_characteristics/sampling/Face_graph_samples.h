@@ -18,6 +18,9 @@
 
 #include <Eigen/Core>
 
+#include <boost/graph/graph_traits.hpp>
+#include <boost/graph/properties.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
