@@ -5,6 +5,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
+#include <Shape_characteristics/curvature/boschiroli_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
@@ -18,6 +19,7 @@
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
 #include <Shape_characteristics/curvature/theisel_curvatures.h>
+#include <Shape_characteristics/curvature/zhihong_curvatures.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 #include <Shape_characteristics/normals/hrbf_normals.h>
@@ -449,6 +451,19 @@ std::vector<Estimator<Input>> estimators()
       Estimator<Input>& e = list.add_curvatures("taubin", taubin, defaults);
       e.needs_triangles = true;
       e.accuracy = .5; // nor does this
+    }
+    const auto zhihong = [](auto&&... a) { return SC::zhihong_curvatures(std::forward<decltype(a)>(a)...); };
+    const auto boschiroli = [](auto&&... a)
+    { return SC::boschiroli_curvatures(std::forward<decltype(a)>(a)...); };
+    {
+      Estimator<Input>& e = list.add_curvatures("zhihong", zhihong, defaults);
+      e.needs_triangles = true;
+      e.accuracy = .1;
+    }
+    {
+      Estimator<Input>& e = list.add_curvatures("boschiroli", boschiroli, defaults);
+      e.needs_triangles = true;
+      e.accuracy = .2; // it averages little
     }
     const auto normal_cycle = [](auto&&... a)
     { return SC::normal_cycle_curvatures(std::forward<decltype(a)>(a)...); };

@@ -1,6 +1,7 @@
 #include "estimators.h"
 
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
+#include <Shape_characteristics/curvature/boschiroli_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
@@ -14,6 +15,7 @@
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
 #include <Shape_characteristics/curvature/theisel_curvatures.h>
+#include <Shape_characteristics/curvature/zhihong_curvatures.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric_cubic.h>
@@ -108,6 +110,16 @@ void tangent_space(const Task& t)
 void theisel(const Task& t)
 {
   SC::theisel_curvatures(t.mesh, t.parameters());
+}
+
+void zhihong(const Task& t)
+{
+  SC::zhihong_curvatures(t.mesh, t.parameters());
+}
+
+void boschiroli(const Task& t)
+{
+  SC::boschiroli_curvatures(t.mesh, t.parameters());
 }
 
 void meyer(const Task& t)
@@ -215,6 +227,8 @@ const std::vector<Estimator>& estimators()
       {"Rusinkiewicz", "1 ring", everywhere("Rus"), rusinkiewicz},
       {"tangent space", "1 ring", everywhere(), tangent_space},
       {"Theisel", "1 ring", everywhere(), theisel},
+      {"Zhihong", "1 ring", everywhere(), zhihong},
+      {"Boschiroli", "1 ring", everywhere(), boschiroli},
       {"Meyer", "1 ring", everywhere(), meyer},
       {"Taubin", "1 ring", everywhere(), taubin},
       {"Goldfeather-Interrante", "1 ring", everywhere("GI"), goldfeather_interrante(1)},

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
+#include <Shape_characteristics/curvature/boschiroli_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
@@ -17,6 +18,7 @@
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
 #include <Shape_characteristics/curvature/theisel_curvatures.h>
+#include <Shape_characteristics/curvature/zhihong_curvatures.h>
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -89,6 +91,18 @@ void theisel(Workload& w, unsigned int threads)
 {
   on_threads(threads,
              [&](auto tag) { SC::theisel_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void zhihong(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::zhihong_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void boschiroli(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::boschiroli_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
 }
 
 void meyer(Workload& w, unsigned int threads)
@@ -229,6 +243,8 @@ const std::vector<Estimator>& estimators()
       {"Rusinkiewicz", "1 ring", false, rusinkiewicz},
       {"tangent space", "1 ring", false, tangent_space},
       {"Theisel", "1 ring", false, theisel},
+      {"Zhihong", "1 ring", false, zhihong},
+      {"Boschiroli", "1 ring", false, boschiroli},
       {"Meyer", "1 ring", false, meyer},
       {"Taubin", "1 ring", false, taubin},
       {"Batagelo-Wu", "1 ring", false, batagelo_wu},
