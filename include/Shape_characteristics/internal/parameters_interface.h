@@ -66,9 +66,11 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
     // other estimators
     SC_new_parameter(number_of_edges_t, number_of_edges, number_of_edges)
         SC_new_parameter(face_weighting_t, face_weighting, face_weighting)
-            SC_new_parameter(normal_weighting_t, normal_weighting, normal_weighting)
-                SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
-                    SC_CGAL_parameter(degree_fitting_t, degree_fitting)
+            SC_new_parameter(patch_evaluation_t, patch_evaluation, patch_evaluation)
+                SC_new_parameter(height_field_normal_t, height_field_normal, height_field_normal)
+                    SC_new_parameter(normal_weighting_t, normal_weighting, normal_weighting)
+                        SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
+                            SC_CGAL_parameter(degree_fitting_t, degree_fitting)
 
     // descriptors
     SC_new_parameter(descriptor_samples_t, descriptor_samples, descriptor_samples)
