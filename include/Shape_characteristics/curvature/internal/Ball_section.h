@@ -279,19 +279,19 @@ inline Volume_moments box_in_ball(const Eigen::Vector3d& low, const Eigen::Vecto
 //
 // Over the tangent plane the surface is the height -x^T S x / 2 + ...; odd terms cancel in the integrals over the disk, so
 // that, up to the fourth power of the radius and relative to half of the ball, the volume is -pi / 8 tr S and the second
-// moments are -pi / 48 (2 S + tr S). If the surface is at the height h over the point, the volume is by pi h larger, and the second
-// moments by pi / 4 h. Together they give tr S without h.
-inline std::array<double, 3> shape_operator_of_moments(const Volume_moments& m,
-                                                       const Eigen::Vector3d& t1,
-                                                       const Eigen::Vector3d& t2,
-                                                       bool removes_height)
+// moments are -pi / 48 (2 S + tr S). If the surface is at the height h over the point, the volume is by pi (h - h^3 / 3) larger,
+// and the second moments by pi / 4 (h - 2 / 3 h^3 + h^5 / 5). Together they give tr S without h, but for its third power, which
+// is then known.
+inline std::array<double, 3>
+shape_operator_of_moments(const Volume_moments& m, const Eigen::Vector3d& t1, const Eigen::Vector3d& t2)
 {
   const double volume = m.volume - 2. * pi_of_ball / 3., half_ball = 2. * pi_of_ball / 15.;
   const Eigen::Vector3d image_1 = m.second * t1, image_2 = m.second * t2;
   const double xx = t1.dot(image_1) - half_ball, yy = t2.dot(image_2) - half_ball;
   const double xy = .5 * (t1.dot(image_2) + t2.dot(image_1));
-  const double half_trace =
-      removes_height ? -24. / pi_of_ball * (xx + yy - volume / 2.) : -6. / pi_of_ball * (xx + yy);
+  const double trace = 48. / pi_of_ball * (volume / 2. - xx - yy);
+  const double h = volume / pi_of_ball + trace / 8.;
+  const double half_trace = .5 * (trace - h * h * h * (8. - 4.8 * h * h));
   const double factor = -24. / pi_of_ball;
   return {half_trace + factor * (xx - yy) / 2., factor * xy, half_trace - factor * (xx - yy) / 2.};
 }
