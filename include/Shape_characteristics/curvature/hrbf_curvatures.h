@@ -104,6 +104,13 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
+    \cgalParamNBegin{normal_noise_level}
+      \cgalParamDescription{the standard deviation of the components of the unit normals from those of the surface}
+      \cgalParamType{`double`}
+      \cgalParamDefault{\f$ \sqrt{0.1} \f$: estimated normals are weak evidence beside good points}
+      \cgalParamExtra{Small values are for normals that are more exact than the points, as those of a photometric
+                      measurement. Only with a positive definite basis function and inexact normals.}
+    \cgalParamNEnd
     \cgalParamNBegin{number_of_passes}
       \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}
       \cgalParamType{`unsigned int`}

@@ -57,11 +57,15 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
     // Hermite-RBF fit
     SC_new_parameter(radial_basis_function_t, radial_basis_function, radial_basis_function)
         SC_new_parameter(normals_are_exact_t, normals_are_exact, normals_are_exact)
-            SC_new_parameter(noise_level_t, noise_level, noise_level)
-                SC_new_parameter(number_of_passes_t, number_of_passes, number_of_passes)
-                    SC_new_parameter(shape_parameter_box_t, shape_parameter_box, shape_parameter_box)
-                        SC_new_parameter(sampling_distance_t, sampling_distance, sampling_distance)
-                            SC_new_parameter(fits_are_shared_t, fits_are_shared, fits_are_shared)
+            SC_new_parameter(noise_level_t, noise_level, noise_level) SC_new_parameter(normal_noise_level_t,
+                                                                                       normal_noise_level,
+                                                                                       normal_noise_level)
+                SC_new_parameter(vertex_estimator_map_t, vertex_estimator_map, vertex_estimator_map)
+                    SC_new_parameter(estimator_map_t, estimator_map, estimator_map)
+                        SC_new_parameter(number_of_passes_t, number_of_passes, number_of_passes)
+                            SC_new_parameter(shape_parameter_box_t, shape_parameter_box, shape_parameter_box)
+                                SC_new_parameter(sampling_distance_t, sampling_distance, sampling_distance)
+                                    SC_new_parameter(fits_are_shared_t, fits_are_shared, fits_are_shared)
 
     // other estimators
     SC_new_parameter(number_of_edges_t, number_of_edges, number_of_edges)

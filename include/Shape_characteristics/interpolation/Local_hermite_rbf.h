@@ -68,6 +68,8 @@ public:
     /// standard deviation of the points, in units of the root mean square distance of the 9 nearest neighbors (positive
     /// definite basis functions with inexact normals)
     double noise_level = 1e-6;
+    /// standard deviation of the components of the unit normals (in the same cases)
+    double normal_noise_level = std::sqrt(internal::Noisy_fit_attempts::first_derivative_variance);
     /// box for `Exponential_cubic`
     Shape_parameter_box box = Shape_parameter_box::AXIS_ALIGNED;
     /// where to average, in units of `pattern_radius`; empty: at the sample alone (other basis functions)
@@ -233,7 +235,8 @@ private:
   bool fit_noisy(Workspace& workspace, internal::Hermite_jet& jet, Vector& displacement) const
   {
     set_up_noisy(workspace);
-    internal::Noisy_fit_attempts attempts(workspace.neighborhood, m_options.noise_level);
+    internal::Noisy_fit_attempts attempts(workspace.neighborhood, m_options.noise_level,
+                                          m_options.normal_noise_level);
     for(bool go_on = true; go_on;)
     {
       if(!workspace.system.solve_positive_definite(attempts.value_variance(), attempts.derivative_variance()))

@@ -162,6 +162,10 @@ public:
     m_box = choose_parameter(get_parameter(np, internal_np::shape_parameter_box),
                              Shape_parameter_box::AXIS_ALIGNED);
     m_noise_level = choose_parameter(get_parameter(np, internal_np::noise_level), -1.);
+    m_normal_noise_level = choose_parameter(get_parameter(np, internal_np::normal_noise_level),
+                                            std::sqrt(Noisy_fit_attempts::first_derivative_variance));
+    if(!(m_normal_noise_level >= 0. && std::isfinite(m_normal_noise_level)))
+      throw std::invalid_argument("Shape_characteristics: normal_noise_level must be finite and not negative");
     const long long passes =
         static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
     constexpr bool passes_are_given =
@@ -232,6 +236,7 @@ private:
     if(!m_normals_are_exact)
     {
       options.noise_level = m_noise_level >= 0. ? m_noise_level : estimate_noise_level(surface, phi);
+      options.normal_noise_level = m_normal_noise_level;
       passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
     }
     // where a single sample is asked for, its neighbors are smoothed as well
@@ -296,6 +301,7 @@ private:
   bool m_normals_are_exact;
   Shape_parameter_box m_box;
   double m_noise_level; // negative: to be estimated
+  double m_normal_noise_level;
   std::size_t m_passes; // 0: to be chosen
   bool m_fits_are_shared;
   double m_sampling_distance;

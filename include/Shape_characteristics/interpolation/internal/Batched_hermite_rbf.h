@@ -76,6 +76,7 @@ public:
   {
     bool normals_are_exact = false;
     double noise_level = 1e-6; // see Local_hermite_rbf
+    double normal_noise_level = std::sqrt(Noisy_fit_attempts::first_derivative_variance);
     bool fits_are_shared = true;
   };
 
@@ -297,7 +298,8 @@ private:
     if(m_options.normals_are_exact)
       task.exact = Exact_fit_attempts(neighborhood);
     else
-      task.noisy = Noisy_fit_attempts(neighborhood, m_options.noise_level);
+      task.noisy =
+          Noisy_fit_attempts(neighborhood, m_options.noise_level, m_options.normal_noise_level);
     tasks.push_back(task);
     return true;
   }

@@ -121,11 +121,16 @@ class Noisy_fit_attempts
 {
 public:
   Noisy_fit_attempts() = default;
-  // noise_level: in units of the size of the nearest neighbors
-  Noisy_fit_attempts(const Scaled_neighborhood& neighborhood, double noise_level)
+  // noise_level: in units of the size of the nearest neighbors; normal_noise_level: of a component of the normals
+  Noisy_fit_attempts(const Scaled_neighborhood& neighborhood,
+                     double noise_level,
+                     double normal_noise_level = std::sqrt(first_derivative_variance))
   {
     const double noise = noise_level * neighborhood.nearest_size;
     m_value_variance = (std::max)(noise * noise, nugget(neighborhood.rounding_error));
+    if(normal_noise_level != std::sqrt(first_derivative_variance)) // the default keeps its bits
+      m_derivative_variance =
+          (std::max)(normal_noise_level * normal_noise_level, nugget(neighborhood.rounding_error));
   }
 
   double value_variance() const { return m_value_variance; }

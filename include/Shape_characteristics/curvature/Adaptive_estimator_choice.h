@@ -1,0 +1,52 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_ADAPTIVE_ESTIMATOR_CHOICE_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_ADAPTIVE_ESTIMATOR_CHOICE_H
+
+namespace Shape_characteristics {
+
+/// \ingroup PkgShapeCharacteristicsCurvature
+/// the estimators among which `adaptive_curvatures()` chooses at each sample: Hermite radial basis functions that
+/// trust points and normals to different degrees, over neighborhoods of different sizes
+enum class Adaptive_estimator_choice : unsigned char
+{
+  EXACT_2_RINGS,  ///< points and normals are exact; two rings (18 neighbors)
+  EXACT_3_RINGS,  ///< points and normals are exact; three rings (36 neighbors)
+  POINTS_2_RINGS, ///< points are exact, normals are weak evidence; two rings
+  POINTS_3_RINGS, ///< points are exact, normals are weak evidence; three rings
+  POINTS_4_RINGS, ///< points are exact and the surface is smooth, normals are weak evidence; four rings (60 neighbors)
+  NORMALS_3_RINGS,  ///< points are noisy, normals are trusted; three rings
+  SMOOTHED_3_RINGS, ///< points and normals are noisy, and are smoothed once before the fit; three rings
+  SMOOTHED_4_RINGS, ///< points and normals are noisy, and are smoothed once before the fit; four rings
+  NONE              ///< there is no estimate
+};
+
+/// \ingroup PkgShapeCharacteristicsCurvature
+/// returns the name of `choice` as it is written in the program, for tables and messages.
+constexpr const char* to_string(Adaptive_estimator_choice choice) noexcept
+{
+  switch(choice)
+  {
+  case Adaptive_estimator_choice::EXACT_2_RINGS:
+    return "EXACT_2_RINGS";
+  case Adaptive_estimator_choice::EXACT_3_RINGS:
+    return "EXACT_3_RINGS";
+  case Adaptive_estimator_choice::POINTS_2_RINGS:
+    return "POINTS_2_RINGS";
+  case Adaptive_estimator_choice::POINTS_3_RINGS:
+    return "POINTS_3_RINGS";
+  case Adaptive_estimator_choice::POINTS_4_RINGS:
+    return "POINTS_4_RINGS";
+  case Adaptive_estimator_choice::NORMALS_3_RINGS:
+    return "NORMALS_3_RINGS";
+  case Adaptive_estimator_choice::SMOOTHED_3_RINGS:
+    return "SMOOTHED_3_RINGS";
+  case Adaptive_estimator_choice::SMOOTHED_4_RINGS:
+    return "SMOOTHED_4_RINGS";
+  case Adaptive_estimator_choice::NONE:
+    return "NONE";
+  }
+  return "";
+}
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_ADAPTIVE_ESTIMATOR_CHOICE_H

@@ -1,0 +1,215 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_ADAPTIVE_CURVATURES_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_ADAPTIVE_CURVATURES_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
+#include <Shape_characteristics/curvature/internal/Adaptive_estimator.h>
+#include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
+#include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/normals/sampled_surface.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+template <typename NamedParameters>
+std::function<bool(double)> adaptive_callback(const NamedParameters& np)
+{
+  static_assert(number_of_neighborhoods<NamedParameters> == 0,
+                "adaptive_curvatures() chooses the neighborhoods itself");
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
+                                      std::function<bool(double)>());
+}
+
+} // namespace internal
+
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at the vertices of a mesh by the estimator that suits the data around each vertex, after
+  an idea of Váša et al. (L. Váša, P. Vaněček, M. Prantl, V. Skorkovská, P. Martínek, I. Kolingerová, Mesh statistics for
+  robust curvature estimation, Computer Graphics Forum 35(5), 2016).
+
+  Nobody has to say what kind of data it is: whether normals are exact, estimated or noisy, how noisy the points are,
+  how coarsely the surface was sampled. The candidates (`Adaptive_estimator_choice`) are Hermite radial basis functions as in
+  `hrbf_curvatures()`, that trust points and normals to different degrees. Which one has the least error follows from
+  questions that a program has learned from surfaces whose curvature is known (`benchmark/adaptive`). They are
+  about statistics without units, means over the neighbors of a vertex:
+
+  - how well normals and curvatures of a fit agree with its points along edges (of exact data they do up to the fifth power
+    of the edge length),
+  - how much the fits differ that trust the data to different degrees, and from the given normals,
+  - how far the points were moved by smoothing them, and whether to one side,
+  - how much the surface bends between samples, how irregular they are, and the likeliest noise level.
+
+  Fits that no question asks for are not made.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
+          The results are the same, bit for bit, for any number of threads.
+  \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \scMeshOutputParameters
+    \cgalParamNBegin{vertex_estimator_map}
+      \cgalParamDescription{gets which estimator was chosen at each vertex}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `Adaptive_estimator_choice`}
+      \cgalParamDefault{not written}
+    \cgalParamNEnd
+    \scMeshInputParameters
+    \scCallbackParameter
+  \cgalNamedParamsEnd
+
+  If the callback stops the computation, no vertex has an estimate: they are `CANCELLED`.
+
+  \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
+
+  Complexity: linear in the number of vertices. It takes as long as the fits that are needed to choose: up to some
+  milliseconds for a vertex.
+
+  \cgalExample{curvature/adaptive_curvatures.cpp}
+*/
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename FaceGraph,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<internal::is_face_graph<FaceGraph> > >
+std::size_t adaptive_curvatures(const FaceGraph& mesh,
+                                const NamedParameters& np = parameters::default_values())
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  internal::Adaptive_statistics<ConcurrencyTag, Face_graph_samples> statistics(
+      [&](const unsigned int rings)
+      { return sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(rings), np); },
+      internal::adaptive_callback(np));
+  internal::Adaptive_estimates result =
+      internal::Adaptive_estimator<ConcurrencyTag, Face_graph_samples>(statistics, statistics.size())();
+  internal::mark_duplicates(statistics.surface(), result.estimates);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_estimator_map_t>::value)
+  {
+    const auto map = get_parameter(np, internal_np::vertex_estimator_map);
+    std::size_t i = 0;
+    for(const auto v : vertices(mesh))
+      put(map, v, result.choices[i++]);
+  }
+  return internal::write_to_mesh(mesh, result.estimates, np);
+}
+
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at one vertex of a mesh, as `adaptive_curvatures()` of the whole mesh does.
+
+  \param v the vertex
+  \param mesh the mesh
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": those of the whole mesh, with
+         other outputs:
+
+  \cgalNamedParamsBegin
+    \scVertexOutputParameters
+  \cgalNamedParamsEnd
+
+  The noise level is estimated from the surroundings of the vertex alone, some ten edges wide, and not from the
+  whole mesh. Where it has no part in the answer, as on clean data, the result has the bits of the whole mesh's.
+
+  \return whether the curvatures were estimated, or why not
+
+  Complexity: that of the surroundings, some hundred vertices, whatever the size of the mesh. For many vertices, the
+  estimates of the whole mesh are faster.
+*/
+template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
+Estimation_status adaptive_curvatures(typename internal::Vertex_descriptor<FaceGraph>::type v,
+                                      const FaceGraph& mesh,
+                                      const NamedParameters& np = parameters::default_values())
+{
+  // Copies for neighborhoods of 2, 3 and 4 rings, which begin with the same vertices: the rings around `v`, one by one. Statistics
+  // are means over two rings, of what is known of edges to neighbors up to two rings farther.
+  const auto surface = [&](const unsigned int rings)
+  { return sampled_surface(v, mesh, Neighborhood::rings(rings), rings == 2 ? 3 : 2, np); };
+  const std::array<Face_graph_samples, 3> surfaces = {surface(2), surface(3), surface(4)};
+  internal::Adaptive_statistics<CGAL::Sequential_tag, Face_graph_samples> statistics(
+      [&](const unsigned int rings) { return surfaces[rings - 2]; }, internal::adaptive_callback(np));
+  Face_graph_samples::Workspace workspace;
+  std::size_t size = 1;
+  for(const auto i : surfaces[2].neighbors(0, 0, workspace))
+    size = (std::max)(size, std::size_t(i) + 1);
+  statistics.set_size((std::min)(size, surfaces[1].size()));
+  const internal::Adaptive_estimates result =
+      internal::Adaptive_estimator<CGAL::Sequential_tag, Face_graph_samples>(statistics, 1)();
+  return internal::write_to_references(result.estimates[0], np);
+}
+
+/*!
+  \ingroup PkgShapeCharacteristicsCurvature
+
+  estimates the curvatures at the points of a point set with normals, as `adaptive_curvatures()` of a mesh does. Instead of
+  2, 3 and 4 rings, the nearest 18, 36 and 60 points are the neighbors.
+
+  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default)
+  \tparam PointRange a model of `ConstRange`
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param points the point set
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
+
+  \cgalNamedParamsBegin
+    \scPointSetOutputParameters
+    \cgalParamNBegin{estimator_map}
+      \cgalParamDescription{gets which estimator was chosen at each point}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `Adaptive_estimator_choice`}
+      \cgalParamDefault{not written}
+    \cgalParamNEnd
+    \scPointSetInputParameters
+    \scCallbackParameter
+  \cgalNamedParamsEnd
+
+  \return the number of points that could not be estimated. Their values are quiet NaN, their status says why.
+
+  \throws std::invalid_argument if there is no normal map
+
+  Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ points, and as long as for a mesh.
+*/
+template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
+          typename PointRange,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename = std::enable_if_t<internal::is_point_range<PointRange> >,
+          typename = void>
+std::size_t adaptive_curvatures(PointRange&& points, const NamedParameters& np = parameters::default_values())
+{
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  internal::Adaptive_statistics<ConcurrencyTag, Point_set_samples> statistics(
+      [&](const unsigned int rings)
+      { return sampled_surface(points, Neighborhood::nearest(3 * rings * (rings + 1)), np); },
+      internal::adaptive_callback(np));
+  const internal::Adaptive_estimates result =
+      internal::Adaptive_estimator<ConcurrencyTag, Point_set_samples>(statistics, statistics.size())();
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::estimator_map_t>::value)
+  {
+    const auto map = get_parameter(np, internal_np::estimator_map);
+    auto choice = result.choices.begin();
+    for(auto&& item : points)
+      put(map, item, *choice++);
+  }
+  return internal::write_to_points(points, result.estimates, np);
+}
+
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_ADAPTIVE_CURVATURES_H

@@ -1,0 +1,467 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ADAPTIVE_STATISTICS_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ADAPTIVE_STATISTICS_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
+#include <Shape_characteristics/curvature/internal/Fitted_sample.h>
+#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
+#include <Shape_characteristics/interpolation/Matern_9_2.h>
+#include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+inline constexpr std::size_t number_of_adaptive_candidates = std::size_t(Adaptive_estimator_choice::NONE);
+
+/*
+  What there is to be known of a sample and its surroundings, without units: lengths are in units of the size h of the
+  nearest neighbors, curvatures in those of 1 / h. All but the last ones are decimal logarithms of means over the neighbors.
+
+  A surface with normals and shape operators that are those of its points satisfies along each short edge d, up to the fifth
+  power of its length,
+    (n_p + n_q) / 2 . d + (d . S_p d - d . S_q d) / 12 = 0           (the trapezoidal rule, corrected at its ends)
+  and up to the third
+    n_q - n_p = (S_p + S_q) / 2 d.
+  What remains of the first tells how far normals and points disagree, in angles; what remains of the second, how far
+  normals and curvatures do. Of fits to noise nothing else is known to hold; a smooth surface that is sampled coarsely leaves less
+  the better it is sampled. How much two fits differ that trust the data to different degrees tells the rest.
+*/
+enum class Adaptive_statistic : unsigned char
+{
+  // the first remainder of each fit, over |d|: in the order of Adaptive_estimator_choice
+  EXACT_2_ANGLES,
+  EXACT_3_ANGLES,
+  POINTS_2_ANGLES,
+  POINTS_3_ANGLES,
+  POINTS_4_ANGLES,
+  NORMALS_3_ANGLES,
+  SMOOTHED_3_ANGLES,
+  SMOOTHED_4_ANGLES,
+  // the second one, as an angle, too
+  EXACT_2_TURNS,
+  EXACT_3_TURNS,
+  POINTS_2_TURNS,
+  POINTS_3_TURNS,
+  POINTS_4_TURNS,
+  NORMALS_3_TURNS,
+  SMOOTHED_3_TURNS,
+  SMOOTHED_4_TURNS,
+  // differences of the shape operators of two fits
+  EXACT_2_EXACT_3,
+  POINTS_2_POINTS_3,
+  POINTS_3_POINTS_4,
+  EXACT_3_POINTS_3,
+  EXACT_3_NORMALS_3,
+  POINTS_3_NORMALS_3,
+  POINTS_3_SMOOTHED_3,
+  POINTS_4_SMOOTHED_4,
+  NORMALS_3_SMOOTHED_3,
+  SMOOTHED_3_SMOOTHED_4,
+  // angles between the given normals and those of a fit
+  POINTS_3_NORMALS,
+  SMOOTHED_3_NORMALS,
+  // shape operators
+  POINTS_3_BEND,
+  SMOOTHED_3_BEND,
+  // displacements along the normals, and their mean: noise has none
+  SMOOTHED_3_MOVES,
+  SMOOTHED_3_DRIFT,
+  NOISE,        // the noise level of the points of the whole surface
+  IRREGULARITY, // size of the nearest neighbors over the distance of the nearest one
+  COUNT
+};
+
+inline constexpr std::size_t number_of_adaptive_statistics = std::size_t(Adaptive_statistic::COUNT);
+
+// Fits of all kinds to a surface and what they tell of each other, each computed when it is first asked for.
+template <typename ConcurrencyTag, typename SampledSurface>
+class Adaptive_statistics
+{
+  using Choice = Adaptive_estimator_choice;
+  using Name = Adaptive_statistic;
+  using Index = std::uint32_t;
+  using Vector = Eigen::Vector3d;
+
+public:
+  // makes the surface with neighborhoods of so many rings, or as many neighbors
+  using Make_surface = std::function<SampledSurface(unsigned int)>;
+
+  // all samples of the surface
+  Adaptive_statistics(const Make_surface& make_surface, const std::function<bool(double)>& callback)
+    : m_make_surface(make_surface),
+      m_callback(callback),
+      m_surface(make_surface(2)),
+      m_size(m_surface.size())
+  {
+    collect_neighbors();
+  }
+
+  std::size_t size() const { return m_size; }
+  // the samples `0, ..., size - 1` alone: what surfaces with other neighborhoods know of as well
+  void set_size(std::size_t size) { m_size = (std::min)(m_size, size); }
+  const SampledSurface& surface() const { return m_surface; }
+  bool is_cancelled() const { return m_is_cancelled; }
+
+  // tells the callback that all is done
+  void finish()
+  {
+    if(m_callback && !m_is_cancelled)
+      m_callback(1.);
+  }
+
+  double noise_level()
+  {
+    if(m_noise_level < 0.)
+      m_noise_level = estimate_noise_level(m_surface, Matern_9_2());
+    return m_noise_level;
+  }
+
+  bool has_field(Choice choice) const { return !m_fields[std::size_t(choice)].empty(); }
+
+  const Fitted_field& field(Choice choice)
+  {
+    Fitted_field& field = m_fields[std::size_t(choice)];
+    if(field.empty() && m_size > 0)
+    {
+      switch(choice)
+      {
+      case Choice::EXACT_2_RINGS:
+        field = fit_exact(2);
+        break;
+      case Choice::EXACT_3_RINGS:
+        field = fit_exact(3);
+        break;
+      case Choice::POINTS_2_RINGS:
+        field = fit_inexact(2, 0., default_normal_noise, 1);
+        break;
+      case Choice::POINTS_3_RINGS:
+        field = fit_inexact(3, 0., default_normal_noise, 1);
+        break;
+      case Choice::POINTS_4_RINGS:
+        // a basis function without a limit to its smoothness
+        field = fit(4, parameters::noise_level(0.).number_of_passes(1u).radial_basis_function(
+                           Inverse_multiquadric()));
+        break;
+      case Choice::NORMALS_3_RINGS:
+        field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
+        break;
+      case Choice::SMOOTHED_3_RINGS:
+        field = fit_inexact(3, noise_level(), default_normal_noise, 2);
+        break;
+      default:
+        field = fit_inexact(4, noise_level(), default_normal_noise, 2);
+      }
+    }
+    return field;
+  }
+
+  bool has_statistic(Name name) const { return !m_statistics[std::size_t(name)].empty(); }
+
+  const std::vector<float>& statistic(Name name)
+  {
+    std::vector<float>& statistic = m_statistics[std::size_t(name)];
+    if(statistic.empty() && m_size > 0)
+      statistic = compute(name);
+    return statistic;
+  }
+
+private:
+  static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
+  static constexpr double default_normal_noise = .31622776601683794, trusted_normal_noise = 1e-3;
+
+  struct Nothing
+  {};
+
+  void collect_neighbors()
+  {
+    m_neighbors.resize(m_size);
+    m_sizes.assign(m_size, 0.);
+    for_each_sample<ConcurrencyTag, typename SampledSurface::Workspace>(
+        m_size,
+        [&](const std::size_t i, typename SampledSurface::Workspace& workspace)
+        {
+          if(!is_estimated(m_surface.status(i)))
+            return;
+          const auto& neighbors = m_surface.neighbors(i, 5, workspace);
+          const std::size_t n = (std::min)(neighbors.size(), s_pool), nearest = (std::min)(n, s_edges);
+          m_neighbors[i].assign(neighbors.begin(), neighbors.begin() + std::ptrdiff_t(n));
+          double largest = 0., sum = 0.;
+          for(std::size_t k = 0; k < nearest; ++k)
+            largest = (std::max)(largest,
+                                 (m_surface.point(neighbors[k]) - m_surface.point(i)).cwiseAbs().maxCoeff());
+          for(std::size_t k = 0; k < nearest; ++k)
+            sum += ((m_surface.point(neighbors[k]) - m_surface.point(i)) / largest).squaredNorm();
+          m_sizes[i] = nearest > 0 ? largest * std::sqrt(sum / double(nearest)) : 0.;
+        });
+  }
+
+  Fitted_field fit_exact(unsigned int rings)
+  {
+    return fit(rings, parameters::normals_are_exact(true).radial_basis_function(Inverse_multiquadric()));
+  }
+
+  Fitted_field fit_inexact(unsigned int rings, double noise, double normal_noise, unsigned int passes)
+  {
+    return fit(rings, parameters::noise_level(noise)
+                          .normal_noise_level(normal_noise)
+                          .number_of_passes(passes)
+                          .radial_basis_function(Matern_9_2()));
+  }
+
+  template <typename NamedParameters>
+  Fitted_field fit(unsigned int rings, const NamedParameters& np)
+  {
+    if(m_is_cancelled)
+      return Fitted_field(m_size);
+    SampledSurface surface = m_make_surface(rings);
+    // How many fits there will be isn't known before: each takes a quarter of what is left.
+    const double begin = m_progress, length = (1. - m_progress) / 4.;
+    std::function<bool(double)> callback;
+    if(m_callback)
+      callback = [this, begin, length](const double advancement)
+      {
+        m_is_cancelled = m_is_cancelled || !m_callback(begin + length * advancement);
+        return !m_is_cancelled;
+      };
+    Fitted_field result = fit_hermite_rbf<ConcurrencyTag, Fitted_sample>(
+        surface, m_size,
+        [](std::size_t, const Local_implicit_surface& local) { return Fitted_sample(local); },
+        np.fits_are_shared(false).callback(callback));
+    m_progress = begin + length;
+    return result;
+  }
+
+  std::vector<float> compute(Name name)
+  {
+    const auto number = std::size_t(name);
+    if(number < number_of_adaptive_candidates)
+      return angles(Choice(number));
+    if(number < 2 * number_of_adaptive_candidates)
+      return turns(Choice(number - number_of_adaptive_candidates));
+    switch(name)
+    {
+    case Name::EXACT_2_EXACT_3:
+      return differences(Choice::EXACT_2_RINGS, Choice::EXACT_3_RINGS);
+    case Name::POINTS_2_POINTS_3:
+      return differences(Choice::POINTS_2_RINGS, Choice::POINTS_3_RINGS);
+    case Name::POINTS_3_POINTS_4:
+      return differences(Choice::POINTS_3_RINGS, Choice::POINTS_4_RINGS);
+    case Name::EXACT_3_POINTS_3:
+      return differences(Choice::EXACT_3_RINGS, Choice::POINTS_3_RINGS);
+    case Name::EXACT_3_NORMALS_3:
+      return differences(Choice::EXACT_3_RINGS, Choice::NORMALS_3_RINGS);
+    case Name::POINTS_3_NORMALS_3:
+      return differences(Choice::POINTS_3_RINGS, Choice::NORMALS_3_RINGS);
+    case Name::POINTS_3_SMOOTHED_3:
+      return differences(Choice::POINTS_3_RINGS, Choice::SMOOTHED_3_RINGS);
+    case Name::POINTS_4_SMOOTHED_4:
+      return differences(Choice::POINTS_4_RINGS, Choice::SMOOTHED_4_RINGS);
+    case Name::NORMALS_3_SMOOTHED_3:
+      return differences(Choice::NORMALS_3_RINGS, Choice::SMOOTHED_3_RINGS);
+    case Name::SMOOTHED_3_SMOOTHED_4:
+      return differences(Choice::SMOOTHED_3_RINGS, Choice::SMOOTHED_4_RINGS);
+    case Name::POINTS_3_NORMALS:
+      return normals(Choice::POINTS_3_RINGS);
+    case Name::SMOOTHED_3_NORMALS:
+      return normals(Choice::SMOOTHED_3_RINGS);
+    case Name::POINTS_3_BEND:
+      return bend(Choice::POINTS_3_RINGS);
+    case Name::SMOOTHED_3_BEND:
+      return bend(Choice::SMOOTHED_3_RINGS);
+    case Name::SMOOTHED_3_MOVES:
+      return moves(Choice::SMOOTHED_3_RINGS);
+    case Name::SMOOTHED_3_DRIFT:
+      return drift(Choice::SMOOTHED_3_RINGS);
+    case Name::NOISE:
+      return std::vector<float>(m_size, logarithm(noise_level()));
+    default:
+      return irregularity();
+    }
+  }
+
+  static float logarithm(double x)
+  {
+    constexpr double least = 1e-12, largest = 1e3;
+    return float(std::log10((std::min)((std::max)(x, least), largest))); // NaN becomes the largest
+  }
+
+  // the mean over sample i and its neighbors of what is known there
+  std::vector<float> pooled(const std::vector<double>& values) const
+  {
+    std::vector<float> result(m_size, logarithm(1e3));
+    for_each_sample<ConcurrencyTag, Nothing>(m_size,
+                                             [&](const std::size_t i, Nothing&)
+                                             {
+                                               double sum = 0.;
+                                               std::size_t number = 0;
+                                               const auto add = [&](const std::size_t j)
+                                               {
+                                                 if(j < m_size && std::isfinite(values[j]))
+                                                 {
+                                                   sum += values[j];
+                                                   ++number;
+                                                 }
+                                               };
+                                               add(i);
+                                               for(const Index j : m_neighbors[i])
+                                                 add(j);
+                                               if(number > 0)
+                                                 result[i] = logarithm(sum / double(number));
+                                             });
+    return result;
+  }
+
+  template <typename Function>
+  std::vector<double> of_each(const Function& function) const
+  {
+    std::vector<double> result(m_size, std::numeric_limits<double>::quiet_NaN());
+    for_each_sample<ConcurrencyTag, Nothing>(m_size,
+                                             [&](const std::size_t i, Nothing&)
+                                             {
+                                               if(m_sizes[i] > 0.)
+                                                 result[i] = function(i);
+                                             });
+    return result;
+  }
+
+  // root mean square over the edges at each sample of what `function` makes of two fits and the edge
+  template <typename Function>
+  std::vector<float> over_edges(Choice choice, const Function& function)
+  {
+    const Fitted_field& fits = field(choice);
+    return pooled(of_each(
+        [&](const std::size_t i)
+        {
+          double sum = 0.;
+          std::size_t number = 0;
+          for(std::size_t k = 0; k < (std::min)(s_edges, m_neighbors[i].size()); ++k)
+          {
+            const std::size_t j = m_neighbors[i][k];
+            if(j >= m_size || !is_estimated(fits[i].status) || !is_estimated(fits[j].status))
+              continue;
+            const Vector d =
+                m_surface.point(j) - m_surface.point(i) + fits[j].displacement - fits[i].displacement;
+            const double remainder = function(fits[i], fits[j], d) / d.norm();
+            if(!std::isfinite(remainder))
+              continue;
+            sum += remainder * remainder;
+            ++number;
+          }
+          return std::sqrt(sum / double(number));
+        }));
+  }
+
+  std::vector<float> angles(Choice choice)
+  {
+    return over_edges(
+        choice, [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d)
+        { return .5 * (p.normal + q.normal).dot(d) + (d.dot(p.turn(d)) - d.dot(q.turn(d))) / 12.; });
+  }
+
+  // times h / h: without units as it is
+  std::vector<float> turns(Choice choice)
+  {
+    return over_edges(choice, [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d)
+                      { return (q.normal - p.normal - .5 * (p.turn(d) + q.turn(d))).norm() * d.norm(); });
+  }
+
+  std::vector<float> differences(Choice a, Choice b)
+  {
+    const Fitted_field &fits_a = field(a), &fits_b = field(b);
+    return pooled(of_each([&](const std::size_t i)
+                          { return m_sizes[i] * distance_of_shapes(fits_a[i].shape, fits_b[i].shape); }));
+  }
+
+  std::vector<float> bend(Choice choice)
+  {
+    const Fitted_field& fits = field(choice);
+    return pooled(of_each([&](const std::size_t i) { return m_sizes[i] * norm_of_shape(fits[i].shape); }));
+  }
+
+  std::vector<float> normals(Choice choice)
+  {
+    const Fitted_field& fits = field(choice);
+    return pooled(
+        of_each([&](const std::size_t i) { return (fits[i].normal - m_surface.normal(i)).norm(); }));
+  }
+
+  std::vector<double> heights(Choice choice)
+  {
+    const Fitted_field& fits = field(choice);
+    return of_each(
+        [&](const std::size_t i)
+        {
+          return is_estimated(fits[i].status) ? fits[i].displacement.dot(fits[i].normal) / m_sizes[i]
+                                              : std::numeric_limits<double>::quiet_NaN();
+        });
+  }
+
+  std::vector<float> moves(Choice choice)
+  {
+    std::vector<double> of_samples = heights(choice);
+    for(double& x : of_samples)
+      x = std::abs(x);
+    return pooled(of_samples);
+  }
+
+  std::vector<float> drift(Choice choice)
+  {
+    const std::vector<double> of_samples = heights(choice);
+    std::vector<float> result(m_size);
+    for(std::size_t i = 0; i < m_size; ++i)
+    {
+      double sum = 0.;
+      std::size_t number = 0;
+      const auto add = [&](const std::size_t j)
+      {
+        if(j < m_size && std::isfinite(of_samples[j]))
+        {
+          sum += of_samples[j];
+          ++number;
+        }
+      };
+      add(i);
+      for(const Index j : m_neighbors[i])
+        add(j);
+      result[i] = logarithm(number > 0 ? std::abs(sum) / double(number) : 1e3);
+    }
+    return result;
+  }
+
+  std::vector<float> irregularity() const
+  {
+    return pooled(
+        of_each([&](const std::size_t i)
+                { return m_sizes[i] / (m_surface.point(m_neighbors[i][0]) - m_surface.point(i)).norm(); }));
+  }
+
+  Make_surface m_make_surface;
+  std::function<bool(double)> m_callback;
+  bool m_is_cancelled = false;
+  double m_progress = 0.;
+  SampledSurface m_surface;
+  std::size_t m_size;
+  std::vector<std::vector<Index> > m_neighbors; // the nearest ones of two rings
+  std::vector<double> m_sizes;                  // root mean square distance of the nearest ones of them
+  double m_noise_level = -1.;                   // negative: not known yet
+  std::array<Fitted_field, number_of_adaptive_candidates> m_fields;
+  std::array<std::vector<float>, number_of_adaptive_statistics> m_statistics;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ADAPTIVE_STATISTICS_H

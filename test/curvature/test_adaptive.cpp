@@ -1,0 +1,373 @@
+#define BOOST_TEST_MODULE adaptive
+#include <boost/test/unit_test.hpp>
+
+#include "estimator_checks.h"
+
+#include <Shape_characteristics/curvature/adaptive_curvatures.h>
+#include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/normals/vertex_normals.h>
+
+#include <CGAL/property_map.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace estimator_checks;
+
+namespace {
+
+using Choice = SC::Adaptive_estimator_choice;
+using Vertex = Surface_mesh::Vertex_index;
+using Normal_map = Surface_mesh::Property_map<Vertex, Kernel::Vector_3>;
+
+struct Adaptive
+{
+  template <typename Tag, typename Mesh, typename Np>
+  std::size_t all(const Mesh& mesh, const Np& np) const
+  {
+    return SC::adaptive_curvatures<Tag>(mesh, np);
+  }
+  template <typename V, typename Mesh, typename Np>
+  SC::Estimation_status one(V v, const Mesh& mesh, const Np& np) const
+  {
+    return SC::adaptive_curvatures(v, mesh, np);
+  }
+};
+
+enum class Given
+{
+  EXACT,      // exact normals
+  ESTIMATED,  // of the faces
+  MISLEADING, // with errors of some degrees
+};
+
+// What is given of a surface: points with noise (in mean edge lengths), and normals.
+struct Data
+{
+  Data(const Analytic_surface& s, Given given, double noise) : surface(s)
+  {
+    std::mt19937 random(7);
+    std::normal_distribution<double> normal;
+    const double deviation = noise * s.mean_edge_length();
+    Analytic_surface moved = s;
+    if(noise > 0.)
+      for(auto& p : moved.points)
+        for(std::size_t i = 0; i < 3; ++i)
+          p[i] += deviation * normal(random);
+    mesh = test_support::build_mesh<Surface_mesh>(moved);
+    normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("v:given_normal").first;
+    if(given == Given::ESTIMATED)
+      SC::vertex_normals(mesh, normals);
+    else
+      for(const Vertex v : vertices(mesh))
+      {
+        auto n = s.exact[v].normal;
+        if(given == Given::MISLEADING)
+          for(std::size_t i = 0; i < 3; ++i)
+            n[i] += .08 * normal(random);
+        normals[v] = Kernel::Vector_3(n[0], n[1], n[2]);
+      }
+  }
+
+  const Analytic_surface& surface;
+  Surface_mesh mesh;
+  Normal_map normals;
+};
+
+struct Answer
+{
+  double error = 0.; // mean of |k_max error| + |k_min error|
+  std::array<double, std::size_t(Choice::NONE) + 1> shares{};
+
+  double share(std::initializer_list<Choice> choices) const
+  {
+    double sum = 0.;
+    for(const Choice c : choices)
+      sum += shares[std::size_t(c)];
+    return sum;
+  }
+};
+
+template <typename Run>
+Answer answer(const Data& data, const Run& run)
+{
+  Surface_mesh mesh = data.mesh;
+  auto curvatures = mesh.add_property_map<Vertex, Curvatures>("v:c").first;
+  auto choices = mesh.add_property_map<Vertex, Choice>("v:e", Choice::NONE).first;
+  auto normals = mesh.property_map<Vertex, Kernel::Vector_3>("v:given_normal");
+#if CGAL_VERSION_NR >= 1060000000
+  const Normal_map normal_map = *normals;
+#else
+  const Normal_map normal_map = normals.first;
+#endif
+  const auto np = SC::parameters::vertex_principal_curvatures_and_directions_map(curvatures)
+                      .vertex_normal_map(normal_map);
+  BOOST_TEST(run(mesh, np, choices) == 0u);
+  Answer result;
+  const double n = double(mesh.number_of_vertices());
+  for(const Vertex v : vertices(mesh))
+  {
+    const Exact_vertex& e = data.surface.exact[v];
+    result.error +=
+        (std::abs(curvatures[v].max_curvature - e.k_max) + std::abs(curvatures[v].min_curvature - e.k_min)) /
+        n;
+    result.shares[std::size_t(choices[v])] += 1. / n;
+  }
+  return result;
+}
+
+Answer adaptive(const Data& data)
+{
+  return answer(data, [](const auto& mesh, const auto& np, const auto& choices)
+                { return SC::adaptive_curvatures(mesh, np.vertex_estimator_map(choices)); });
+}
+
+double hrbf(const Data& data, bool normals_are_exact, unsigned int rings)
+{
+  return answer(data,
+                [&](const auto& mesh, const auto& np, const auto&) {
+                  return SC::hrbf_curvatures(mesh,
+                                             np.normals_are_exact(normals_are_exact).number_of_rings(rings));
+                })
+      .error;
+}
+
+const std::vector<Analytic_surface>& surfaces()
+{
+  static const std::vector<Analytic_surface> list = {test_support::torus(1., .4, 36, 18, .2, 3),
+                                                     test_support::waves(.1, 4., 1., 20, .2, 2)};
+  return list;
+}
+
+constexpr std::initializer_list<Choice> exact = {Choice::EXACT_2_RINGS, Choice::EXACT_3_RINGS},
+                                        positions = {Choice::POINTS_2_RINGS, Choice::POINTS_3_RINGS,
+                                                     Choice::POINTS_4_RINGS, Choice::SMOOTHED_3_RINGS,
+                                                     Choice::SMOOTHED_4_RINGS};
+
+} // namespace
+
+// What kind of data it is shows in the choices, without being told; and the error is never much larger than with what somebody
+// would choose who knows it.
+BOOST_AUTO_TEST_CASE(choices_and_errors)
+{
+  for(const Analytic_surface& s : surfaces())
+    for(const Given given : {Given::EXACT, Given::ESTIMATED, Given::MISLEADING})
+      for(const double noise : {0., .08})
+        BOOST_TEST_CONTEXT(s.name << ", " << int(given) << ", noise " << noise)
+        {
+          const Data data(s, given, noise);
+          const Answer a = adaptive(data);
+          if(given == Given::EXACT && noise == 0.)
+            BOOST_TEST(a.share(exact) > .95);
+          else if(given == Given::EXACT)
+            BOOST_TEST(a.share({Choice::NORMALS_3_RINGS}) > .8);
+          else
+            BOOST_TEST(a.share(exact) < .02);
+          if(given == Given::MISLEADING && noise == 0.)
+            BOOST_TEST(a.share(positions) > .95);
+          if(given != Given::EXACT && noise > 0.)
+            BOOST_TEST(
+                a.share({Choice::NORMALS_3_RINGS, Choice::SMOOTHED_3_RINGS, Choice::SMOOTHED_4_RINGS}) > .7);
+          BOOST_TEST(a.error < 1.25 * hrbf(data, true, 3));
+          BOOST_TEST(a.error < 1.25 * hrbf(data, false, 2));
+          BOOST_TEST(a.error < 1.25 * hrbf(data, false, 3));
+        }
+}
+
+BOOST_AUTO_TEST_CASE(threads)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Analytic_surface s = test_support::torus(1., .4, 32, 16, .2, 6); // 4 blocks of samples
+  const Result expected = run(Adaptive(), s, Normals::ESTIMATED);
+  for(const std::size_t threads : {1, 3})
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    BOOST_TEST(same_bits(expected, run<CGAL::Parallel_tag>(Adaptive(), s, Normals::ESTIMATED)),
+               threads << " threads");
+  }
+#else
+  BOOST_TEST_MESSAGE("  skipped: built without TBB");
+#endif
+}
+
+BOOST_AUTO_TEST_CASE(flip_and_permutation)
+{
+  check_flip(Adaptive());
+  check_permutation(Adaptive());
+}
+
+// powers of two: to the last bit
+BOOST_AUTO_TEST_CASE(scale)
+{
+  for(const Normals normals : {Normals::EXACT, Normals::ESTIMATED})
+  {
+    const Analytic_surface s = test_support::ellipsoid(1., .8, .6, 2, .2, 5);
+    const Result original = run(Adaptive(), s, normals);
+    for(const double factor : {0x1p-40, 0x1p40, 0x1p-100})
+    {
+      Analytic_surface scaled = s;
+      for(auto& p : scaled.points)
+        p = factor * p;
+      const Result result = run(Adaptive(), scaled, normals);
+      BOOST_TEST(result.failures == original.failures);
+      bool same = true;
+      for(std::size_t i = 0; i < s.points.size(); ++i)
+        same = same && factor * result.curvatures[i].max_curvature == original.curvatures[i].max_curvature;
+      BOOST_TEST(same);
+    }
+  }
+}
+
+// where the noise level has no part in the answer
+BOOST_AUTO_TEST_CASE(one_vertex)
+{
+  const Analytic_surface s = test_support::torus(1., .4, 36, 18, .2, 6);
+  const Data data(s, Given::EXACT, 0.);
+  const Result all = run(Adaptive(), s, Normals::EXACT);
+  for(const std::size_t i : {0u, 333u})
+  {
+    Curvatures c;
+    double mean;
+    BOOST_TEST(
+        (SC::adaptive_curvatures(Vertex(static_cast<Vertex::size_type>(i)), data.mesh,
+                                 SC::parameters::vertex_principal_curvatures_and_directions(std::ref(c))
+                                     .vertex_mean_curvature(std::ref(mean))
+                                     .vertex_normal_map(data.normals)) == SC::Estimation_status::ESTIMATED));
+    BOOST_TEST(same_bits(c, all.curvatures[i]));
+    BOOST_TEST(same_bits(mean, all.mean[i]));
+  }
+  // and else about the same
+  const Data noisy(s, Given::ESTIMATED, .05);
+  const Answer of_all = adaptive(noisy);
+  double error = 0.;
+  for(const std::size_t i : {100u, 300u, 500u})
+  {
+    Curvatures c;
+    SC::adaptive_curvatures(Vertex(static_cast<Vertex::size_type>(i)), noisy.mesh,
+                            SC::parameters::vertex_principal_curvatures_and_directions(std::ref(c))
+                                .vertex_normal_map(noisy.normals));
+    error +=
+        (std::abs(c.max_curvature - s.exact[i].k_max) + std::abs(c.min_curvature - s.exact[i].k_min)) / 3.;
+  }
+  BOOST_TEST(error < 3. * of_all.error);
+}
+
+BOOST_AUTO_TEST_CASE(point_sets)
+{
+  const Analytic_surface s = test_support::torus(1., .4, 40, 20, .2, 3);
+  std::vector<std::size_t> items(s.points.size());
+  std::iota(items.begin(), items.end(), std::size_t(0));
+  std::vector<Kernel::Point_3> positions;
+  std::vector<Kernel::Vector_3> normals;
+  for(const std::size_t i : items)
+  {
+    positions.emplace_back(s.points[i][0], s.points[i][1], s.points[i][2]);
+    normals.emplace_back(s.exact[i].normal[0], s.exact[i].normal[1], s.exact[i].normal[2]);
+  }
+  positions[5] = Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0., 0.);
+  normals[600] = Kernel::Vector_3(0., 0., 0.);
+  std::vector<Curvatures> curvatures(items.size());
+  std::vector<Choice> choices(items.size());
+  std::vector<SC::Estimation_status> statuses(items.size());
+  BOOST_TEST(SC::adaptive_curvatures(
+                 items, SC::parameters::point_map(CGAL::make_property_map(positions))
+                            .normal_map(CGAL::make_property_map(normals))
+                            .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
+                            .estimator_map(CGAL::make_property_map(choices))
+                            .status_map(CGAL::make_property_map(statuses))) == 2u);
+  double error = 0.;
+  for(const std::size_t i : items)
+  {
+    const bool is_good = i != 5 && i != 600;
+    BOOST_TEST((statuses[i] ==
+                (is_good ? SC::Estimation_status::ESTIMATED : SC::Estimation_status::NON_FINITE_INPUT)));
+    BOOST_TEST((choices[i] == Choice::NONE) == !is_good);
+    if(is_good)
+      error += std::abs(curvatures[i].max_curvature - s.exact[i].k_max) +
+               std::abs(curvatures[i].min_curvature - s.exact[i].k_min);
+  }
+  BOOST_TEST(error / double(items.size()) < 1e-3); // the least of 1 / .4
+}
+
+BOOST_AUTO_TEST_CASE(bad_inputs)
+{
+  Surface_mesh empty;
+  BOOST_TEST(SC::adaptive_curvatures(empty) == 0u);
+
+  // a triangle, and a vertex by itself
+  Surface_mesh mesh;
+  const Vertex a = mesh.add_vertex(Kernel::Point_3(0, 0, 0)), b = mesh.add_vertex(Kernel::Point_3(1, 0, 0)),
+               c = mesh.add_vertex(Kernel::Point_3(0, 1, 0)), d = mesh.add_vertex(Kernel::Point_3(5, 5, 5));
+  mesh.add_face(a, b, c);
+  auto statuses = mesh.add_property_map<Vertex, SC::Estimation_status>("v:s").first;
+  auto choices = mesh.add_property_map<Vertex, Choice>("v:e", Choice::EXACT_2_RINGS).first;
+  BOOST_TEST(SC::adaptive_curvatures(
+                 mesh, SC::parameters::vertex_status_map(statuses).vertex_estimator_map(choices)) == 4u);
+  BOOST_TEST((statuses[a] == SC::Estimation_status::FEW_NEIGHBOURS));
+  BOOST_TEST((statuses[d] == SC::Estimation_status::UNREFERENCED));
+  BOOST_TEST((choices[a] == Choice::NONE));
+  BOOST_TEST((choices[d] == Choice::NONE));
+
+  // a plane: no curvature at all
+  const Result plane = run(Adaptive(), test_support::plane(1., 12, .2), Normals::ESTIMATED);
+  BOOST_TEST(plane.failures == 0u);
+  for(const Curvatures& k : plane.curvatures)
+    BOOST_TEST((std::abs(k.min_curvature) < 1e-10 && std::abs(k.max_curvature) < 1e-10));
+
+  // a mesh with a point that isn't finite: its neighbors do without
+  Analytic_surface s = test_support::torus(1., .4, 36, 18, .2, 6);
+  s.points[100][1] = std::numeric_limits<double>::quiet_NaN();
+  const Result broken = run(Adaptive(), s, Normals::EXACT);
+  BOOST_TEST(broken.failures == 1u);
+  BOOST_TEST((broken.status[100] == SC::Estimation_status::NON_FINITE_INPUT));
+
+  const std::vector<Kernel::Point_3> points(3);
+  BOOST_CHECK_THROW(SC::adaptive_curvatures(points), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(callback)
+{
+  const Surface_mesh mesh =
+      test_support::build_mesh<Surface_mesh>(test_support::torus(1., .4, 36, 18, .2, 6));
+  std::vector<double> advancements;
+  BOOST_TEST(SC::adaptive_curvatures<CGAL::Sequential_tag>(mesh, SC::parameters::callback(
+                                                                     [&](const double t)
+                                                                     {
+                                                                       advancements.push_back(t);
+                                                                       return true;
+                                                                     })) == 0u);
+  BOOST_TEST_REQUIRE(!advancements.empty());
+  BOOST_TEST(std::is_sorted(advancements.begin(), advancements.end()));
+  BOOST_TEST(advancements.back() == 1.);
+
+  int calls = 0;
+  BOOST_TEST(SC::adaptive_curvatures<CGAL::Sequential_tag>(
+                 mesh, SC::parameters::callback([&](double) { return ++calls < 3; })) ==
+             mesh.number_of_vertices());
+  BOOST_TEST(calls == 3);
+}
+
+// hrbf_curvatures(): normals that are more exact than the points
+BOOST_AUTO_TEST_CASE(normal_noise_level)
+{
+  const Data data(surfaces()[0], Given::EXACT, .05);
+  const double trusted =
+      answer(data, [](const auto& mesh, const auto& np, const auto&)
+             { return SC::hrbf_curvatures(mesh, np.number_of_rings(3u).normal_noise_level(1e-3)); })
+          .error;
+  BOOST_TEST(trusted < .5 * hrbf(data, false, 3));
+  for(const double wrong : {-1., std::numeric_limits<double>::quiet_NaN()})
+    BOOST_CHECK_THROW(SC::hrbf_curvatures(data.mesh, SC::parameters::normal_noise_level(wrong)),
+                      std::invalid_argument);
+}
