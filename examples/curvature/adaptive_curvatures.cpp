@@ -1,0 +1,90 @@
+// Curvatures by the estimator that suits the data, without saying what kind of data it is: a mesh with exact normals,
+// with none, and with noise on its points; and which estimator was chosen. The mesh is an ellipsoid, whose curvatures are known.
+#include "../support/data_file.h"
+
+#include <Shape_characteristics/characteristics/mean_curvature.h>
+#include <Shape_characteristics/curvature/adaptive_curvatures.h>
+#include <Shape_characteristics/curvature/implicit_surface_curvatures.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Surface_mesh/IO/OFF.h>
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <iostream>
+#include <random>
+#include <string>
+
+namespace SC = Shape_characteristics;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vertex = Mesh::Vertex_index;
+using Choice = SC::Adaptive_estimator_choice;
+
+int main()
+{
+  // a sphere that is stretched to the ellipsoid (x/3)^2 + (y/2)^2 + (z/2)^2 = 1; its gradients are its normals
+  Mesh mesh;
+  if(!CGAL::IO::read_OFF(support::data_file("meshes/larger_sphere.off"), mesh))
+    return EXIT_FAILURE;
+  const Eigen::Vector3d axes(3, 2, 2);
+  const Eigen::Matrix3d hessian = (2 / axes.array().square()).matrix().asDiagonal();
+  auto exact_normal = mesh.add_property_map<Vertex, Kernel::Vector_3>("v:exact_normal").first;
+  auto exact_H = mesh.add_property_map<Vertex, double>("v:exact_mean_curvature").first;
+  for(Vertex v : mesh.vertices())
+  {
+    Kernel::Point_3& p = mesh.point(v);
+    p = Kernel::Point_3(axes.x() * p.x(), axes.y() * p.y(), axes.z() * p.z());
+    exact_normal[v] = Kernel::Vector_3(hessian(0, 0) * p.x(), hessian(1, 1) * p.y(), hessian(2, 2) * p.z());
+    exact_H[v] = SC::mean_curvature(SC::implicit_surface_curvatures(exact_normal[v], hessian));
+  }
+
+  // What gets a property map is computed; nothing is said of how good points and normals are.
+  auto H = mesh.add_property_map<Vertex, double>("v:mean_curvature").first;
+  auto choice = mesh.add_property_map<Vertex, Choice>("v:estimator").first;
+  const auto outputs = SC::parameters::vertex_mean_curvature_map(H).vertex_estimator_map(choice);
+  const auto report = [&](const std::string& what)
+  {
+    double error = 0;
+    std::array<std::size_t, std::size_t(Choice::NONE) + 1> counts{};
+    for(Vertex v : mesh.vertices())
+    {
+      error += std::abs(H[v] - exact_H[v]) / double(mesh.number_of_vertices());
+      ++counts[std::size_t(choice[v])];
+    }
+    std::cout << what << ": mean error of H " << error << ", by";
+    for(std::size_t c = 0; c < counts.size(); ++c)
+      if(counts[c] > 0)
+        std::cout << ' ' << SC::to_string(Choice(c)) << " (" << counts[c] << ")";
+    std::cout << '\n';
+    return error;
+  };
+
+  SC::adaptive_curvatures(mesh, outputs.vertex_normal_map(exact_normal));
+  const double of_exact_normals = report("exact normals");
+  SC::adaptive_curvatures(mesh, outputs);
+  const double of_points = report("no normals");
+
+  // one vertex alone: the results are written to variables
+  const Vertex v(0);
+  double H_at_v;
+  const SC::Estimation_status status =
+      SC::adaptive_curvatures(v, mesh, SC::parameters::vertex_mean_curvature(std::ref(H_at_v)));
+  std::cout << v << ": " << SC::to_string(status) << ", H " << H_at_v << '\n';
+
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0., .003);
+  for(Vertex w : mesh.vertices())
+    mesh.point(w) = mesh.point(w) + Kernel::Vector_3(noise(random), noise(random), noise(random));
+  SC::adaptive_curvatures(mesh, outputs);
+  const double of_noise = report("no normals, noisy points");
+
+  return SC::is_estimated(status) && of_exact_normals < of_points && of_points < of_noise && of_noise < .2
+             ? EXIT_SUCCESS
+             : EXIT_FAILURE;
+}
