@@ -1,5 +1,6 @@
 #include "estimators.h"
 
+#include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
 #include <Shape_characteristics/curvature/boschiroli_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
@@ -95,6 +96,11 @@ std::function<void(const Task&)> jet(unsigned int degree, unsigned int rings)
 {
   return [degree, rings](const Task& t)
   { SC::jet_fitting_curvatures(t.mesh, t.parameters().degree_fitting(degree).number_of_rings(rings)); };
+}
+
+void adaptive(const Task& t)
+{
+  SC::adaptive_curvatures(t.mesh, t.parameters());
 }
 
 void rusinkiewicz(const Task& t)
@@ -224,6 +230,7 @@ const std::vector<Estimator>& estimators()
       {"HRBF imq(r^1.5)", "4 rings", basis("1/sqrt(1+(er)^3)"), hrbf(IMQ3(.3), 4), Cost::HIGH},
       {"HRBF default", "2 rings", everywhere(), hrbf_default(2)},
       {"HRBF default", "3 rings", everywhere(), hrbf_default(3)},
+      {"adaptive", "2 to 4 rings", everywhere(), adaptive, Cost::HIGH},
       {"Rusinkiewicz", "1 ring", everywhere("Rus"), rusinkiewicz},
       {"tangent space", "1 ring", everywhere(), tangent_space},
       {"Theisel", "1 ring", everywhere(), theisel},
