@@ -155,14 +155,13 @@ private:
     const Cubic_triangle<double> patch({Vector::Zero(), t.a, t.b}, {frame.normal, normal_1, normal_2});
     const Patch_jet<double> jet = patch({1., 0., 0.});
 
-    const double length_u = jet.u.norm(), length_v = jet.v.norm();
+    const double length_u = jet.u.norm(), length_v = jet.v.norm(), lengths = length_u * length_v;
     const double area = jet.u.cross(jet.v).norm();
-    const double sine = area / (length_u * length_v), angle = std::atan2(area, jet.u.dot(jet.v));
     constexpr double rounding = 64. * std::numeric_limits<double>::epsilon();
-    if(!(sine > rounding))
+    if(!(area > rounding * lengths))
       return;
-    // Between directions more than a right angle apart there is more and more to guess, as the square of the inverse.
-    const double weight = angle * (std::min)(1., 1. + jet.u.dot(jet.v) / (length_u * length_v));
+    // between edges more than a right angle apart there is more and more to guess
+    const double weight = area * (std::min)(1., 1. + jet.u.dot(jet.v) / lengths);
 
     double e[2] = {0., 0.}; // how the blend moves the middle control point, along the normal
     for(int k = 0; k < 2; ++k)
@@ -190,28 +189,29 @@ private:
     }
 
     const double L = jet.uu.dot(frame.normal), M = jet.uv.dot(frame.normal), N = jet.vv.dot(frame.normal);
-    const Vector axis = jet.u / length_u;
-    const Vector other_axis = (jet.v / length_v - (jet.v.dot(axis) / length_v) * axis) / sine;
+    const double ratio = std::sqrt(length_u / length_v);
     for(std::size_t k = 0; k < s_nodes.size(); ++k)
     {
-      // the direction at this share of the angle, as a sum of u and v and of the tangents
-      const double a = s_nodes[k] * angle, b = angle - a;
-      const double u = std::sin(b) / (length_u * sine), v = std::sin(a) / (length_v * sine);
-      const Vector direction = std::cos(a) * axis + std::sin(a) * other_axis;
-      const double blend = 12. * u * v * (u * e[0] + v * e[1]) / (u + v);
-      const double curvature = -(L * u * u + 2. * M * u * v + N * v * v + blend);
+      // Towards the place v on the opposite side: in equal parts of it there are equal parts of the area. The nodes are
+      // denser near the shorter edge, where most directions are.
+      const double t = s_nodes[k], w = 1. - t + ratio * t, v = ratio * t / w, u = (1. - t) / w;
+      const Vector direction = u * jet.u + v * jet.v;
+      const double square = direction.squaredNorm(), length = std::sqrt(square);
+      const double blend = 12. * u * v * (u * e[0] + v * e[1]);
+      const double curvature = -(L * u * u + 2. * M * u * v + N * v * v + blend) / square;
       if(std::isfinite(curvature))
-        form.add(direction.dot(frame.t1), direction.dot(frame.t2), curvature, s_weights[k] * weight);
+        form.add(direction.dot(frame.t1) / length, direction.dot(frame.t2) / length, curvature,
+                 s_weights[k] * weight * ratio / (w * w));
     }
   }
 
   // Gauss and Legendre's quadrature on [0, 1]
-  static constexpr std::array<double, 8> s_nodes = {.01985507175123185, .1016667612931866, .23723379504183550,
-                                                    .40828267875217510, .5917173212478249, .76276620495816450,
-                                                    .8983332387068134,  .98014492824876815};
-  static constexpr std::array<double, 8> s_weights = {
-      .05061426814518815, .11119051722668725, .15685332293894365, .18134189168918100,
-      .18134189168918100, .15685332293894365, .11119051722668725, .05061426814518815};
+  static constexpr std::array<double, 10> s_nodes = {
+      .0130467357414141, .0674683166555077, .1602952158504878, .2833023029353764, .4255628305091844,
+      .5744371694908156, .7166976970646236, .8397047841495122, .9325316833444923, .9869532642585859};
+  static constexpr std::array<double, 10> s_weights = {
+      .0333356721543440, .0747256745752903, .1095431812579910, .1346333596549982, .1477621123573765,
+      .1477621123573765, .1346333596549982, .1095431812579910, .0747256745752903, .0333356721543440};
 
   const Face_graph_samples& m_samples;
 };
@@ -232,15 +232,15 @@ private:
   \f[ k_n = -\frac{L u^2 + 2 M u v + N v^2 + 12 u v (u\, e_1 + v\, e_2) / (u + v)}{\lVert x_u u + x_v v \rVert^2}, \f]
 
   where \f$ L, M, N \f$ are the second fundamental form of the PN triangle, and \f$ e_1, e_2 \f$ the components along the normal
-  of what the blend adds to its middle control point at the two edges. The estimate is the shape operator that fits \f$ k_n \f$ in all
-  directions, by least squares. Of angles larger than \f$ 90^\circ \f$, the directions count less, with the factor
-  \f$ 1 + \cos \f$: what is between two edges follows from what is along them, the less so the farther they are apart. So
-  the mean curvature is that of the mean of \f$ k_n \f$ (Euler), if there is no such angle. Where a surface has a continuous
+  of what the blend adds to its middle control point at the two edges. The estimate is the shape operator that fits \f$ k_n \f$ by
+  least squares: over the triangles at the vertex, such that each direction counts as much as there is area in it. Of angles
+  larger than \f$ 90^\circ \f$, directions count less, with the factor \f$ 1 + \cos \f$: what is between two edges follows
+  from what is along them, the less so the farther they are apart. Where a surface has a continuous
   curvature, this is the one.
 
   Normals and positions determine the result alike. With exact normals, the error falls with the square of the edge length on
-  regular meshes. On others it falls linearly in the end, and is smaller than that of `rusinkiewicz_curvatures()`: along the edges
-  alone normal curvatures have quadratic errors. With normals computed from the mesh it doesn't vanish on irregular
+  regular meshes. On others it falls linearly in the end, and is smaller than that of `rusinkiewicz_curvatures()` where the
+  surface is well sampled: along the edges alone normal curvatures have quadratic errors. With normals computed from the mesh it doesn't vanish on irregular
   meshes, and is larger than that of estimators that average more.
 
   Triangles without an area, or with points or normals that are not finite, count for nothing, and their neighbors' edges are
