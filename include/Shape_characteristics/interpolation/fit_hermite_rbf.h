@@ -165,7 +165,8 @@ public:
     m_normal_noise_level = choose_parameter(get_parameter(np, internal_np::normal_noise_level),
                                             std::sqrt(Noisy_fit_attempts::first_derivative_variance));
     if(!(m_normal_noise_level >= 0. && std::isfinite(m_normal_noise_level)))
-      throw std::invalid_argument("Shape_characteristics: normal_noise_level must be finite and not negative");
+      throw std::invalid_argument(
+          "Shape_characteristics: normal_noise_level must be finite and not negative");
     const long long passes =
         static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
     constexpr bool passes_are_given =

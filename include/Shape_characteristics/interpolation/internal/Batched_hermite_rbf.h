@@ -298,8 +298,7 @@ private:
     if(m_options.normals_are_exact)
       task.exact = Exact_fit_attempts(neighborhood);
     else
-      task.noisy =
-          Noisy_fit_attempts(neighborhood, m_options.noise_level, m_options.normal_noise_level);
+      task.noisy = Noisy_fit_attempts(neighborhood, m_options.noise_level, m_options.normal_noise_level);
     tasks.push_back(task);
     return true;
   }
