@@ -1,0 +1,186 @@
+// Calibrates adaptive_curvatures() on surfaces whose curvature is known, and compares it with the estimators among
+// which it chooses, and with others: on the thesis's surfaces and on further ones, none of which it was calibrated on.
+#include "Command_line.h"
+#include "parts/Row.h"
+#include "parts/Score_learner.h"
+
+#include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace adaptive {
+namespace {
+
+std::string number(double value)
+{
+  std::ostringstream out;
+  out.precision(3);
+  out << value;
+  return out.str();
+}
+
+std::string candidate_name(std::size_t c)
+{
+  return to_string(Shape_characteristics::Adaptive_estimator_choice(c));
+}
+
+/// Compares adaptive_curvatures() with single estimators, row by row.
+class Comparison
+{
+public:
+  explicit Comparison(const std::string& title)
+  {
+    std::cout
+        << "\n## " << title
+        << "\n\nMAE(k_max) + MAE(k_min), all vertices. Best: of the estimators among which it chooses, and "
+           "of "
+           "the others.\n\n"
+           "| surface | given | adaptive | best | | ratio | seconds |\n|---|---|---:|---:|---|---:|---:|\n";
+  }
+
+  void add(const Row& row)
+  {
+    std::vector<std::pair<std::string, double> > singles = row.others;
+    for(std::size_t c = 0; c < row.mean_errors.size(); ++c)
+      singles.emplace_back(candidate_name(c), row.mean_errors[c]);
+    std::pair<std::string, double> best("none", std::numeric_limits<double>::infinity());
+    for(const auto& single : singles)
+      if(single.second < best.second)
+        best = single;
+    const double ratio = row.adaptive_error / best.second;
+    std::cout << "| " << row.surface << " | " << row.conditions.name() << " | " << number(row.adaptive_error)
+              << " | " << number(best.second) << " | " << best.first << " | " << number(ratio) << " | "
+              << number(row.adaptive_seconds) << " |\n";
+    std::cout.flush();
+    ++m_rows;
+    m_missed += ratio > 1.1;
+    m_sum += std::log(row.adaptive_error);
+    m_ratios.push_back(ratio);
+    for(const auto& [name, error] : singles)
+      m_sums[name] += std::log(error);
+  }
+
+  void finish()
+  {
+    std::sort(m_ratios.begin(), m_ratios.end());
+    std::cout << "\nRows: " << m_rows << ", more than 10 % worse than the best single one: " << m_missed;
+    if(!m_ratios.empty())
+      std::cout << ", median ratio " << number(m_ratios[m_ratios.size() / 2]) << ", largest "
+                << number(m_ratios.back());
+    std::cout << "\n\n| estimator | mean error over the rows (geometric), in that of the adaptive one "
+                 "|\n|---|---:|\n";
+    std::vector<std::pair<double, std::string> > order;
+    for(const auto& [name, sum] : m_sums)
+      order.emplace_back(std::exp((sum - m_sum) / double(m_rows)), name);
+    std::sort(order.begin(), order.end());
+    for(const auto& [ratio, name] : order)
+      std::cout << "| " << name << " | " << number(ratio) << " |\n";
+    m_is_best = order.empty() || order.front().first > 1.;
+  }
+
+  /// whether no single estimator has a smaller mean over the rows
+  bool is_best() const { return m_is_best; }
+
+private:
+  std::size_t m_rows = 0, m_missed = 0;
+  double m_sum = 0.;
+  std::vector<double> m_ratios;
+  std::map<std::string, double> m_sums;
+  bool m_is_best = false;
+};
+
+void calibrate(const std::string& file, double scale)
+{
+  std::vector<Calibration_row> rows;
+  Measurements measurements;
+  measurements.records = true;
+  for_each_row(Purpose::CALIBRATION, scale, 1, "", measurements,
+               [&](Row& row)
+               {
+                 rows.push_back(calibration_row(row, 300));
+                 std::cout << row.surface << ", " << row.conditions.name() << ": "
+                           << candidate_name(best_candidate(row)) << "\n";
+                 std::cout.flush();
+               });
+  const Scores scores = learn_scores(rows, std::cout);
+  std::ofstream out(file);
+  out << to_header(scores, "benchmark_adaptive_adaptive --calibrate adaptive_scores.h");
+  if(!out.flush())
+    throw std::runtime_error("cannot write " + file);
+}
+
+const char* const help =
+    "Errors of adaptive_curvatures() next to those of single estimators.\n\n"
+    "  --purpose P        which surfaces: tables (the thesis's), validation, or calibration (validation)\n"
+    "  --only TEXT        only surfaces with this in their name\n"
+    "  --scale S          of the number of vertices (1)\n"
+    "  --seed N           of random points and noise (1)\n"
+    "  --quick            few vertices of two surfaces; fails if a single estimator has a smaller mean over "
+    "the rows\n"
+    "  --calibrate FILE   makes the constants of the library instead, and writes them as a header\n"
+    "  --help             this text\n";
+
+int run(int argc, char** argv)
+{
+  const benchmark_support::Command_line arguments(
+      argc, argv, {"purpose", "only", "scale", "seed", "calibrate"}, {"quick", "help"});
+  if(arguments.has("help"))
+  {
+    std::cout << help;
+    return 0;
+  }
+  const bool quick = arguments.has("quick");
+  double scale = 0.;
+  std::istringstream(arguments.text("scale", quick ? "0.1" : "1")) >> scale;
+  if(!(scale > 0. && scale <= 100.))
+    throw std::invalid_argument("--scale must be a positive number");
+  if(arguments.has("calibrate"))
+  {
+    calibrate(arguments.text("calibrate", ""), scale);
+    return 0;
+  }
+  const std::string name = arguments.text("purpose", "validation");
+  const std::map<std::string, Purpose> purposes = {{"tables", Purpose::TABLES},
+                                                   {"validation", Purpose::VALIDATION},
+                                                   {"calibration", Purpose::CALIBRATION}};
+  if(purposes.count(name) == 0)
+    throw std::invalid_argument("--purpose: no " + name);
+  Measurements measurements;
+  measurements.records = measurements.adaptive = measurements.others = true;
+  Comparison comparison(name);
+  for_each_row(purposes.at(name), scale, arguments.number("seed", 1),
+               arguments.text("only", quick ? "monkey" : ""), measurements,
+               [&](const Row& row) { comparison.add(row); });
+  comparison.finish();
+  return quick && !comparison.is_best() ? 1 : 0;
+}
+
+} // namespace
+} // namespace adaptive
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return adaptive::run(argc, argv);
+  }
+  catch(const std::invalid_argument& error)
+  {
+    std::cerr << error.what() << "\n\n" << adaptive::help;
+    return 2;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,195 @@
+#include "Row.h"
+
+#include "Random.h"
+#include "build_face_graph.h"
+#include "estimate.h"
+#include "tessellations.h"
+
+#include <Shape_characteristics/normals/sampled_surface.h>
+#include <Shape_characteristics/normals/vertex_normals.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace adaptive {
+
+namespace SC = Shape_characteristics;
+using benchmark_support::Exact_curvature;
+using benchmark_support::Triangle_arrays;
+using benchmark_support::Vector;
+
+std::string Conditions::name() const
+{
+  std::ostringstream out;
+  out << normals << " normals";
+  if(normal_noise > 0.)
+    out << " (" << normal_noise << ")";
+  if(point_noise > 0.)
+    out << ", noise " << point_noise;
+  return out.str();
+}
+
+std::vector<Conditions> conditions(const Surface& surface, Purpose purpose)
+{
+  std::vector<Conditions> list = {{"exact", 0., 0.}, {"Max", 0., 0.}, {"average", 0., 0.}};
+  if(!surface.is_noise_added)
+    return list;
+  list.push_back({"noisy", 0., .03});
+  list.push_back({"noisy", 0., .1});
+  for(const double noise : {.01, .03, .1})
+    for(const char* normals : {"exact", "Max"})
+      list.push_back({normals, noise, 0.});
+  if(purpose == Purpose::CALIBRATION)
+  {
+    list.push_back({"noisy", 0., .003});
+    list.push_back({"noisy", .03, .03});
+    list.push_back({"Max", .001, 0.});
+    list.push_back({"average", .003, 0.});
+    list.push_back({"average", .05, 0.});
+    list.push_back({"exact", .003, 0.});
+    list.push_back({"Max", .2, 0.});
+  }
+  return list;
+}
+
+namespace {
+
+Normal_map make_normals(Mesh& mesh, const std::vector<Exact_curvature>& exact, const Conditions& c)
+{
+  Normal_map map = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normals").first;
+  if(c.normals == "Max" || c.normals == "average")
+  {
+    SC::vertex_normals(mesh, map,
+                       SC::parameters::normal_weighting(c.normals == "Max" ? SC::Normal_weighting::MAX
+                                                                           : SC::Normal_weighting::AVERAGE));
+    return map;
+  }
+  benchmark_support::Random random(11);
+  for(const auto v : vertices(mesh))
+  {
+    Vector n = exact[v].normal;
+    if(c.normal_noise > 0.)
+    {
+      for(std::size_t i = 0; i < 3; ++i)
+        n[i] += c.normal_noise * random.gaussian();
+      n = normalized(n);
+    }
+    map[v] = Kernel::Vector_3(n.x, n.y, n.z);
+  }
+  return map;
+}
+
+double error(const SC::internal::Curvature_estimate& e, const Exact_curvature& exact)
+{
+  return SC::is_estimated(e.status) ? std::abs(e.curvatures.max_curvature - exact.k_max) +
+                                          std::abs(e.curvatures.min_curvature - exact.k_min)
+                                    : std::numeric_limits<double>::infinity();
+}
+
+void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_curvature>& exact, Row& row)
+{
+  using Statistics =
+      SC::internal::Adaptive_statistics<CGAL::Parallel_if_available_tag, SC::Face_graph_samples>;
+  Statistics statistics(
+      [&](unsigned int rings)
+      {
+        return SC::sampled_surface(mesh, SC::Neighborhood::rings(rings),
+                                   SC::parameters::vertex_normal_map(normals));
+      },
+      {});
+  row.vertices.resize(exact.size());
+  for(std::size_t s = 0; s < number_of_statistics; ++s)
+  {
+    const std::vector<float>& of_vertices = statistics.statistic(SC::internal::Adaptive_statistic(s));
+    for(std::size_t i = 0; i < exact.size(); ++i)
+      row.vertices[i].statistics[s] = of_vertices[i];
+  }
+  for(std::size_t c = 0; c < number_of_candidates; ++c)
+  {
+    const SC::internal::Fitted_field& field = statistics.field(SC::Adaptive_estimator_choice(c));
+    double sum = 0.;
+    std::size_t number = 0;
+    for(std::size_t i = 0; i < exact.size(); ++i)
+    {
+      const double e = error(field[i].estimate(), exact[i]);
+      row.vertices[i].errors[c] = float(e);
+      if(std::isfinite(e))
+      {
+        sum += e;
+        ++number;
+      }
+    }
+    row.mean_errors.push_back(sum / double(number));
+  }
+}
+
+double mean_error(const Mesh& mesh, const Estimates& estimates, const std::vector<Exact_curvature>& exact)
+{
+  double sum = 0.;
+  std::size_t number = 0;
+  for(const auto v : vertices(mesh))
+    if(SC::is_estimated(estimates.statuses[v]))
+    {
+      sum += std::abs(estimates.curvatures[v].max_curvature - exact[v].k_max) +
+             std::abs(estimates.curvatures[v].min_curvature - exact[v].k_min);
+      ++number;
+    }
+  return sum / double(number);
+}
+
+} // namespace
+
+void for_each_row(Purpose purpose,
+                  double scale,
+                  std::uint64_t seed,
+                  const std::string& only,
+                  const Measurements& measurements,
+                  const std::function<void(Row&)>& report)
+{
+  std::size_t number = 0;
+  for(const Surface& surface : surfaces(purpose, scale))
+  {
+    ++number;
+    if(surface.name.find(only) == std::string::npos)
+      continue;
+    const Triangle_arrays clean = surface.mesh(seed);
+    std::vector<Exact_curvature> exact;
+    for(const Vector& p : clean.points)
+      exact.push_back(surface.exact(p));
+    for(const Conditions& c : conditions(surface, purpose))
+    {
+      // there are many surfaces: half of the conditions on each are enough
+      const bool is_left_out = purpose == Purpose::CALIBRATION && ++number % 2 == 0;
+      if(is_left_out && (c.point_noise > 0. || c.normal_noise > 0.))
+        continue;
+      Triangle_arrays arrays = clean;
+      if(c.point_noise > 0.)
+        add_noise(arrays, benchmark_support::Noise::GAUSSIAN, c.point_noise, seed + 6);
+      Mesh mesh = benchmark_support::build_face_graph<Mesh>(arrays.points, arrays.triangles);
+      const Normal_map normals = make_normals(mesh, exact, c);
+      Row row;
+      row.surface = surface.name;
+      row.conditions = c;
+      if(measurements.records)
+        add_records(mesh, normals, exact, row);
+      if(measurements.adaptive)
+      {
+        const auto start = std::chrono::steady_clock::now();
+        const Estimates estimates = estimate_adaptively(mesh, normals);
+        row.adaptive_seconds =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        row.adaptive_error = mean_error(mesh, estimates, exact);
+      }
+      if(measurements.others)
+        for(const Other_estimator& other : other_estimators())
+          row.others.emplace_back(other.name, mean_error(mesh, other.run(mesh, normals), exact));
+      report(row);
+    }
+  }
+}
+
+} // namespace adaptive

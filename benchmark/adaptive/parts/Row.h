@@ -1,0 +1,72 @@
+#ifndef SHAPE_CHARACTERISTICS_BENCHMARK_ADAPTIVE_ROW_H
+#define SHAPE_CHARACTERISTICS_BENCHMARK_ADAPTIVE_ROW_H
+
+#include "surfaces.h"
+
+#include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace adaptive {
+
+constexpr std::size_t number_of_statistics = Shape_characteristics::internal::number_of_adaptive_statistics;
+constexpr std::size_t number_of_candidates = Shape_characteristics::internal::number_of_adaptive_candidates;
+
+/// What is given of a surface: with which normals, and how noisy.
+struct Conditions
+{
+  std::string normals; ///< "exact", "Max", "average", or "noisy": exact ones, and noise
+  double point_noise;  ///< standard deviation of each coordinate, in mean edge lengths
+  double
+      normal_noise; ///< standard deviation of each component of a unit normal, before it is normalized again
+
+  std::string name() const;
+};
+
+/// Those in which a surface is tried.
+std::vector<Conditions> conditions(const Surface& surface, Purpose purpose);
+
+/// A vertex: what is known of it, and the errors |k_max error| + |k_min error| of the candidates; infinite where there is no
+/// estimate.
+struct Vertex_record
+{
+  std::array<float, number_of_statistics> statistics;
+  std::array<float, number_of_candidates> errors;
+};
+
+/// A surface in certain conditions: a row of a table.
+struct Row
+{
+  std::string surface;
+  Conditions conditions;
+  std::vector<Vertex_record> vertices;
+  std::vector<double> mean_errors; ///< of the candidates, over all vertices, where there is an estimate
+  double adaptive_error = 0.;      ///< of adaptive_curvatures()
+  double adaptive_seconds = 0.;    ///< that it takes
+  std::vector<std::pair<std::string, double> > others; ///< of other estimators
+};
+
+/// What else is to be measured.
+struct Measurements
+{
+  bool records = false;  ///< statistics and errors of candidates at all vertices
+  bool adaptive = false; ///< `adaptive_curvatures()`
+  bool others = false;   ///< other estimators
+};
+
+/// Calls `report` with each row of the surfaces for a purpose.
+void for_each_row(Purpose purpose,
+                  double scale,
+                  std::uint64_t seed,
+                  const std::string& only,
+                  const Measurements& measurements,
+                  const std::function<void(Row&)>& report);
+
+} // namespace adaptive
+
+#endif // SHAPE_CHARACTERISTICS_BENCHMARK_ADAPTIVE_ROW_H

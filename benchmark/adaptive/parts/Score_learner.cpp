@@ -1,0 +1,309 @@
+#include "Score_learner.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace adaptive {
+namespace {
+
+constexpr auto features = Eigen::Index(number_of_statistics + 1); // the constant, and all statistics
+constexpr auto candidates = Eigen::Index(number_of_candidates);
+
+constexpr std::array<const char*, number_of_statistics> statistic_names = {
+    "EXACT_2_ANGLES",       "EXACT_3_ANGLES",        "POINTS_2_ANGLES",
+    "POINTS_3_ANGLES",      "POINTS_4_ANGLES",       "NORMALS_3_ANGLES",
+    "SMOOTHED_3_ANGLES",    "SMOOTHED_4_ANGLES",     "EXACT_2_TURNS",
+    "EXACT_3_TURNS",        "POINTS_2_TURNS",        "POINTS_3_TURNS",
+    "POINTS_4_TURNS",       "NORMALS_3_TURNS",       "SMOOTHED_3_TURNS",
+    "SMOOTHED_4_TURNS",     "EXACT_2_EXACT_3",       "POINTS_2_POINTS_3",
+    "POINTS_3_POINTS_4",    "EXACT_3_POINTS_3",      "EXACT_3_NORMALS_3",
+    "POINTS_3_NORMALS_3",   "POINTS_3_SMOOTHED_3",   "POINTS_4_SMOOTHED_4",
+    "NORMALS_3_SMOOTHED_3", "SMOOTHED_3_SMOOTHED_4", "POINTS_3_NORMALS",
+    "SMOOTHED_3_NORMALS",   "POINTS_3_BEND",         "SMOOTHED_3_BEND",
+    "SMOOTHED_3_MOVES",     "SMOOTHED_3_DRIFT",      "NOISE",
+    "IRREGULARITY"};
+
+float exactness_of(const std::array<float, number_of_statistics>& s)
+{
+  using Name = Shape_characteristics::internal::Adaptive_statistic;
+  return s[std::size_t(Name::EXACT_3_ANGLES)] - s[std::size_t(Name::POINTS_3_ANGLES)];
+}
+
+constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::EXACT_3_RINGS);
+
+using Matrix = Eigen::MatrixXd;
+
+// The vertices of a row: what is known, and what each candidate costs.
+struct Data
+{
+  Matrix statistics, costs; // one line per vertex
+  std::size_t part = 0;     // of the surfaces
+};
+
+/*
+  Minimizes, over the weights, the mean of the logarithms of the rows' errors, if at each vertex the candidates are chosen
+  with probabilities in proportion to exp(-score): by gradients (Adam's method), for all rows but those of a part.
+*/
+class Learner
+{
+public:
+  explicit Learner(const std::vector<Calibration_row>& rows) : m_rows(rows)
+  {
+    std::map<std::string, std::size_t> groups;
+    for(const Calibration_row& row : rows)
+    {
+      constexpr double largest_cost = 30.; // a few vertices mustn't decide alone
+      Data data;
+      data.part = groups.emplace(row.group, groups.size()).first->second % parts;
+      data.statistics.resize(Eigen::Index(row.vertices.size()), features);
+      data.costs.resize(data.statistics.rows(), candidates);
+      for(Eigen::Index v = 0; v < data.statistics.rows(); ++v)
+      {
+        const Vertex_record& vertex = row.vertices[std::size_t(v)];
+        data.statistics(v, 0) = 1.;
+        for(std::size_t s = 0; s < number_of_statistics; ++s)
+          data.statistics(v, Eigen::Index(s + 1)) = double(vertex.statistics[s]);
+        for(std::size_t c = 0; c < number_of_candidates; ++c)
+          data.costs(v, Eigen::Index(c)) =
+              (std::min)(double(vertex.errors[c]) / row.best_error, largest_cost);
+      }
+      m_data.push_back(std::move(data));
+    }
+    normalize();
+    // where normals are exact beyond doubt: as many vertices as cost nearly nothing
+    for(double exactness = -3.; exactness <= 0.; exactness += .05)
+      if(cost_of_gate(exactness) < .002)
+        m_exactness = exactness;
+  }
+
+  static constexpr std::size_t parts = 6;
+  std::size_t part(std::size_t row) const { return m_data[row].part; }
+
+  Scores learn(std::size_t left_out) const
+  {
+    constexpr int steps = 800;
+    constexpr double decay = .995, shrinkage = 5e-5;
+    Matrix weights = Matrix::Zero(features, candidates), mean = weights, square = weights;
+    std::size_t number = 0;
+    for(const Data& data : m_data)
+      number += data.part != left_out;
+    double rate = .1, mean_share = 1., square_share = 1.;
+    for(int step = 0; step < steps; ++step)
+    {
+      Matrix gradient = shrinkage * weights;
+      for(const Data& data : m_data)
+        if(data.part != left_out)
+          add_gradient(data, weights, 1. / double(number), gradient);
+      mean = .9 * mean + .1 * gradient;
+      square = .99 * square + .01 * gradient.cwiseAbs2();
+      mean_share *= .9;
+      square_share *= .99;
+      weights.array() -=
+          rate * (mean.array() / (1. - mean_share)) / ((square.array() / (1. - square_share)).sqrt() + 1e-10);
+      rate = (std::max)(rate * decay, .01);
+    }
+    // in units of the statistics themselves
+    Scores scores;
+    scores.exactness = m_exactness;
+    scores.weights.resize(number_of_statistics + 1);
+    for(std::size_t c = 0; c < number_of_candidates; ++c)
+    {
+      double constant = weights(0, Eigen::Index(c));
+      for(Eigen::Index f = 1; f < features; ++f)
+      {
+        const double w = weights(f, Eigen::Index(c)) / m_deviation[f];
+        scores.weights[std::size_t(f)][c] = w;
+        constant -= w * m_mean[f];
+      }
+      scores.weights[0][c] = constant;
+    }
+    for(std::size_t s = 0; s < number_of_statistics; ++s)
+      scores.statistics.push_back(s);
+    return scores;
+  }
+
+private:
+  void normalize()
+  {
+    m_mean = Eigen::VectorXd::Zero(features);
+    m_deviation = Eigen::VectorXd::Zero(features);
+    double number = 0.;
+    for(const Data& data : m_data)
+    {
+      m_mean += data.statistics.colwise().sum().transpose();
+      number += double(data.statistics.rows());
+    }
+    m_mean /= number;
+    for(const Data& data : m_data)
+      m_deviation += (data.statistics.rowwise() - m_mean.transpose()).cwiseAbs2().colwise().sum().transpose();
+    m_deviation = (m_deviation / number).cwiseSqrt();
+    m_mean[0] = 0.; // the constant
+    m_deviation[0] = 1.;
+    for(Data& data : m_data)
+      data.statistics = ((data.statistics.rowwise() - m_mean.transpose()).array().rowwise() /
+                         m_deviation.transpose().array())
+                            .matrix()
+                            .eval();
+  }
+
+  static void add_gradient(const Data& data, const Matrix& weights, double factor, Matrix& gradient)
+  {
+    Matrix probabilities = -data.statistics * weights;
+    const Eigen::VectorXd largest = probabilities.rowwise().maxCoeff();
+    probabilities = (probabilities.colwise() - largest).array().exp().matrix().eval();
+    const Eigen::VectorXd sums = probabilities.rowwise().sum();
+    for(Eigen::Index v = 0; v < probabilities.rows(); ++v)
+      probabilities.row(v) /= sums[v];
+    const Eigen::VectorXd costs = (probabilities.cwiseProduct(data.costs)).rowwise().sum();
+    const Matrix derivatives = -probabilities.cwiseProduct(data.costs.colwise() - costs);
+    gradient += factor / costs.sum() * data.statistics.transpose() * derivatives;
+  }
+
+  // mean over the rows of the logarithm of the excess, if EXACT_3_RINGS was chosen there, and else what is best for the row
+  double cost_of_gate(double exactness) const
+  {
+    double sum = 0.;
+    for(const Calibration_row& row : m_rows)
+    {
+      double error = 0.;
+      for(const Vertex_record& v : row.vertices)
+        error += double(exactness_of(v.statistics)) < exactness
+                     ? (std::max)((std::min)(double(v.errors[exact]) / row.best_error, 100.), 1.)
+                     : 1.;
+      sum += std::log(error / double(row.vertices.size()));
+    }
+    return sum / double(m_rows.size());
+  }
+
+  const std::vector<Calibration_row>& m_rows;
+  std::vector<Data> m_data;
+  Eigen::VectorXd m_mean, m_deviation;
+  double m_exactness = -1e3;
+};
+
+} // namespace
+
+std::size_t best_candidate(const Row& row)
+{
+  return std::size_t(std::min_element(row.mean_errors.begin(), row.mean_errors.end()) -
+                     row.mean_errors.begin());
+}
+
+Calibration_row calibration_row(const Row& row, std::size_t at_most)
+{
+  Calibration_row result;
+  result.group = row.surface.substr(0, row.surface.find(" random"));
+  for(const char* tessellation : {" grid", " exact cubes", " original cubes"})
+    result.group = result.group.substr(0, result.group.find(tessellation));
+  result.best_error = row.mean_errors[best_candidate(row)];
+  const std::size_t step = (std::max)(row.vertices.size() / at_most, std::size_t(1));
+  for(std::size_t k = 0; k < row.vertices.size(); k += step)
+    result.vertices.push_back(row.vertices[k]);
+  return result;
+}
+
+std::size_t choose(const Scores& scores, const std::array<float, number_of_statistics>& statistics)
+{
+  if(double(exactness_of(statistics)) < scores.exactness)
+    return exact;
+  std::array<double, number_of_candidates> score = scores.weights[0];
+  for(std::size_t k = 0; k < scores.statistics.size(); ++k)
+    for(std::size_t c = 0; c < number_of_candidates; ++c)
+      score[c] += scores.weights[k + 1][c] * double(statistics[scores.statistics[k]]);
+  return std::size_t(std::min_element(score.begin(), score.end()) - score.begin());
+}
+
+double excess(const Scores& scores, const Calibration_row& row)
+{
+  constexpr double largest = 100.; // a single vertex mustn't decide alone
+  double sum = 0.;
+  for(const Vertex_record& v : row.vertices)
+    sum += (std::min)(double(v.errors[choose(scores, v.statistics)]) / row.best_error, largest);
+  return sum / double(row.vertices.size());
+}
+
+Scores learn_scores(const std::vector<Calibration_row>& rows, std::ostream& log)
+{
+  const Learner learner(rows);
+  double sum = 0.;
+  std::size_t missed = 0;
+  for(std::size_t part = 0; part < Learner::parts; ++part)
+  {
+    const Scores scores = learner.learn(part);
+    for(std::size_t r = 0; r < rows.size(); ++r)
+      if(learner.part(r) == part)
+      {
+        const double ratio = excess(scores, rows[r]);
+        sum += std::log(ratio);
+        missed += ratio > 1.1;
+      }
+  }
+  log << "Surfaces left out in turns: the mean error is " << std::exp(sum / double(rows.size()))
+      << " times that of the best candidate of each row (geometric), more than 1.1 times in " << missed
+      << " of " << rows.size() << " rows\n";
+  const Scores scores = learner.learn(Learner::parts);
+  sum = 0.;
+  missed = 0;
+  for(const Calibration_row& row : rows)
+  {
+    const double ratio = excess(scores, row);
+    sum += std::log(ratio);
+    missed += ratio > 1.1;
+  }
+  log << "With all surfaces: " << std::exp(sum / double(rows.size())) << ", in " << missed << " rows\n";
+  return scores;
+}
+
+std::string to_header(const Scores& scores, const std::string& command)
+{
+  const auto text = [](const double x)
+  {
+    char result[32];
+    std::snprintf(result, sizeof result, "%.4f", x);
+    return std::string(result);
+  };
+  std::ostringstream out;
+  out << "#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ADAPTIVE_SCORES_H\n"
+         "#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ADAPTIVE_SCORES_H\n\n"
+         "#include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>\n\n"
+         "#include <array>\n#include <cstddef>\n\n"
+         "namespace Shape_characteristics {\nnamespace internal {\n\n"
+         "// The constants of adaptive_curvatures(), learned from surfaces whose curvature is known. Not "
+         "written by hand: "
+         "they are the\n// output of\n//   "
+      << command
+      << "\n\n// where EXACT_3_ANGLES - POINTS_3_ANGLES is less, EXACT_3_RINGS is chosen\n"
+         "inline constexpr double adaptive_exactness = "
+      << text(scores.exactness)
+      << ";\n\n// Elsewhere the estimator with the lowest score: the logarithm of the error that it "
+         "predicts, up to a sum that "
+         "is common to\n// all, as a linear function of these statistics.\n"
+         "// clang-format off\n"
+         "inline constexpr std::array<Adaptive_statistic, "
+      << scores.statistics.size() << "> adaptive_score_statistics = {{\n";
+  for(std::size_t k = 0; k < scores.statistics.size(); ++k)
+    out << "    Adaptive_statistic::" << statistic_names[scores.statistics[k]]
+        << (k + 1 < scores.statistics.size() ? ",\n" : "}};\n");
+  out << "inline constexpr std::array<std::array<double, number_of_adaptive_candidates>, "
+      << scores.weights.size() << "> adaptive_score_weights = {{\n";
+  for(std::size_t k = 0; k < scores.weights.size(); ++k)
+  {
+    out << "    {{";
+    for(std::size_t c = 0; c < number_of_candidates; ++c)
+      out << text(scores.weights[k][c]) << (c + 1 < number_of_candidates ? ", " : "}}");
+    out << (k + 1 < scores.weights.size() ? "," : "}};") << " // "
+        << (k == 0 ? "1" : statistic_names[scores.statistics[k - 1]]) << "\n";
+  }
+  out << "// clang-format on\n\n} // namespace internal\n} // namespace Shape_characteristics\n\n"
+         "#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ADAPTIVE_SCORES_H\n";
+  return out.str();
+}
+
+} // namespace adaptive

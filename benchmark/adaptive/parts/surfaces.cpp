@@ -1,0 +1,223 @@
+#include "surfaces.h"
+
+#include "Second_order_number.h"
+#include "delaunay_triangles.h"
+#include "marching_cubes.h"
+#include "tessellations.h"
+#include "test_functions.h"
+
+#include <cmath>
+
+namespace adaptive {
+namespace {
+
+using benchmark_support::Edge_crossing;
+using benchmark_support::Exact_curvature;
+using benchmark_support::Triangle_arrays;
+using benchmark_support::Vector;
+using Function = std::function<Number(const Number&, const Number&, const Number&)>;
+
+Number at(const Function& f, const Vector& p)
+{
+  return f(Number::coordinate(p.x, 0), Number::coordinate(p.y, 1), Number::coordinate(p.z, 2));
+}
+
+Exact_curvature exact_at(const Function& f, const Vector& p)
+{
+  const Number n = at(f, p);
+  return exact_curvature(n.gradient, n.hessian);
+}
+
+/// z = f(x, y) over [-half, half]^2, by random points or a grid
+void add_graph(std::vector<Surface>& list,
+               const std::string& name,
+               double half,
+               double points,
+               const std::function<Number(const Number&, const Number&)>& f)
+{
+  const Function level = [f](const Number& x, const Number& y, const Number& z) { return z - f(x, y); };
+  const auto point = [f](double x, double y) { return Vector{x, y, f(Number(x), Number(y)).value}; };
+  const auto exact = [level](const Vector& p) { return exact_at(level, p); };
+  const auto count = std::size_t(points);
+  list.push_back({name + " random",
+                  [=](std::uint64_t seed)
+                  {
+                    benchmark_support::Random random(seed);
+                    Triangle_arrays mesh;
+                    for(std::size_t i = 0; i < count; ++i)
+                    {
+                      const double x = random.uniform(-half, half), y = random.uniform(-half, half);
+                      mesh.points.push_back(point(x, y));
+                    }
+                    mesh.triangles = benchmark_support::delaunay_triangles(mesh.points);
+                    return mesh;
+                  },
+                  exact});
+  list.push_back({name + " grid",
+                  [=](std::uint64_t)
+                  {
+                    const auto n = std::size_t(std::sqrt(points));
+                    const double step = 2. * half / double(n - 1);
+                    Triangle_arrays mesh;
+                    for(std::size_t i = 0; i < n * n; ++i)
+                      mesh.points.push_back(
+                          point(-half + step * double(i % n), -half + step * double(i / n)));
+                    for(std::size_t i = 0; i + 1 < n; ++i)
+                      for(std::size_t j = 0; j + 1 < n; ++j)
+                      {
+                        const std::size_t a = i * n + j, b = a + n;
+                        mesh.triangles.push_back({a, a + 1, b + 1});
+                        mesh.triangles.push_back({a, b + 1, b});
+                      }
+                    return mesh;
+                  },
+                  exact});
+}
+
+/// F(x, y, z) = 0, outside where it is positive, by both variants of marching cubes
+void add_level_set(std::vector<Surface>& list,
+                   const std::string& name,
+                   double half,
+                   double samples,
+                   const Function& f)
+{
+  for(const bool is_exact : {true, false})
+    list.push_back({name + (is_exact ? " exact cubes" : " original cubes"),
+                    [=](std::uint64_t)
+                    {
+                      return benchmark_support::marching_cubes(
+                          [&](const Vector& p) { return f(p.x, p.y, p.z).value; }, {-half, -half, -half},
+                          {half, half, half}, std::size_t(samples),
+                          is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
+                    },
+                    [f](const Vector& p) { return exact_at(f, p); }});
+}
+
+std::vector<Surface> calibration(double scale)
+{
+  std::vector<Surface> list;
+  const double n = 1250. * scale, m = 24. * std::sqrt(scale);
+  add_graph(list, "bell", 2., n, [](const Number& x, const Number& y) { return exp(-(x * x + y * y)); });
+  add_graph(list, "waves", 2., n,
+            [](const Number& x, const Number& y) { return .3 * sin(2. * x) * cos(1.5 * y) + .1 * x * y; });
+  add_graph(list, "short waves", 1., n,
+            [](const Number& x, const Number& y) { return .1 * sin(9. * x + 3. * y) + .08 * cos(11. * y); });
+  add_graph(list, "coarse waves", 1., n,
+            [](const Number& x, const Number& y)
+            { return .05 * sin(24. * x + 5. * y) + .05 * cos(19. * y) + .02 * sin(15. * (x + y)); });
+  add_graph(list, "steep waves", 1., n,
+            [](const Number& x, const Number& y)
+            { return .09 * sin(16. * x) + .07 * cos(14. * y - 4. * x); });
+  add_graph(list, "ridge", 1., n,
+            [](const Number& x, const Number& y) { return sqrt(.01 + x * x) + .3 * y * y; });
+  add_graph(list, "hill", 2., n,
+            [](const Number& x, const Number& y) { return inverse(1. + x * x + 2. * y * y); });
+  add_graph(list, "meadow", 1., n,
+            [](const Number& x, const Number& y)
+            { return .2 * x * x - .1 * y * y + .05 * x * x * x + .1 * sin(x + y); });
+  add_level_set(list, "gyroid", 1.8, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return sin(x) * cos(y) + sin(y) * cos(z) + sin(z) * cos(x); });
+  add_level_set(list, "metaballs", 2.2, m,
+                [](const Number& x, const Number& y, const Number& z)
+                {
+                  const Number r = y * y + z * z;
+                  return .5 - exp(-(square(x - .8) + r)) - exp(-(square(x + .8) + 1.5 * r));
+                });
+  add_level_set(list, "undulating cylinder", 1.1, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return x * x + y * y - square(1. + .3 * cos(3. * z)); });
+  add_level_set(list, "Schwarz P", .9, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return cos(3. * x) + cos(3. * y) + cos(3. * z); });
+  add_level_set(list, "dented sphere", 1.4, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return x * x + y * y + z * z - 1. - .2 * sin(5. * x + 3. * y) * cos(2. * z); });
+  // surfaces that are sampled coarsely
+  add_graph(list, "bumps", 1., n,
+            [](const Number& x, const Number& y)
+            { return .08 * sin(17. * x) * sin(15. * y) + .03 * cos(23. * (x - y)); });
+  add_graph(list, "rough waves", 1., n,
+            [](const Number& x, const Number& y)
+            { return .03 * sin(31. * x + 7. * y) + .03 * cos(27. * y - 9. * x) + .02 * sin(24. * (x + y)); });
+  add_graph(list, "furrows", 1., n,
+            [](const Number& x, const Number& y) { return .1 * sin(14. * x + y) + .2 * y * y; });
+  add_level_set(list, "knobbly ball", 1.4, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return x * x + y * y + z * z - 1. - .12 * sin(9. * x) * sin(8. * y + 1.) * cos(7. * z); });
+  add_level_set(list, "cushion", 1.6, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return x * x * x * x + .5 * y * y + z * z + .2 * x * y * z - 1.; });
+  return list;
+}
+
+std::vector<Surface> validation(double scale)
+{
+  std::vector<Surface> list;
+  const double n = 5000. * scale, m = 45. * std::sqrt(scale);
+  add_graph(list, "saddle with ridges", 1., n,
+            [](const Number& x, const Number& y)
+            { return .3 * x * x - .3 * y * y + .04 * sin(12. * x) + .02 * sin(17. * (x - y)); });
+  add_graph(list, "monkey saddle", 1., n,
+            [](const Number& x, const Number& y) { return .4 * (x * x * x - 3. * x * y * y); });
+  add_graph(list, "ripples", 1., n,
+            [](const Number& x, const Number& y) { return .06 * cos(25. * sqrt(.02 + x * x + y * y)); });
+  add_level_set(list, "torus", 1.5, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return square(sqrt(x * x + y * y) - 1.) + z * z - .16; });
+  add_level_set(list, "ellipsoid", 1.6, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return (1. / 2.25) * x * x + y * y + 3. * z * z - 1.; });
+  add_level_set(list, "wavy sphere", 1.4, m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return sqrt(x * x + y * y + z * z) - 1. - .08 * sin(6. * x) * sin(5. * y) * sin(4. * z); });
+  add_level_set(list, "Goursat", 2.6, m,
+                [](const Number& x, const Number& y, const Number& z)
+                {
+                  const Number a = x * x, b = y * y, c = z * z;
+                  return a * a + b * b + c * c - 4. * (a + b + c) + 9.;
+                });
+  add_level_set(list, "blend", 1.8, m,
+                [](const Number& x, const Number& y, const Number& z)
+                {
+                  const Number f = x * x + y * y - .25, g = x * x + z * z - .25;
+                  return f * g - .15;
+                });
+  return list;
+}
+
+std::vector<Surface> tables(double scale)
+{
+  std::vector<Surface> list;
+  const auto points = std::size_t(10000. * scale);
+  const auto samples = std::size_t(128. * std::sqrt(scale));
+  for(const bool is_random : {true, false})
+    for(const benchmark_support::Explicit_function& f : benchmark_support::explicit_functions())
+      list.push_back({f.name + (is_random ? " random" : " grid"),
+                      [=](std::uint64_t seed)
+                      {
+                        return is_random ? random_tessellation(f, points, seed)
+                                         : grid_tessellation(f, std::size_t(std::sqrt(double(points))));
+                      },
+                      [f](const Vector& p) { return f.exact(p.x, p.y); }, is_random});
+  for(const bool is_exact : {true, false})
+    for(const benchmark_support::Implicit_function& f : benchmark_support::implicit_functions())
+      list.push_back({f.name + (is_exact ? " exact cubes" : " original cubes"),
+                      [=](std::uint64_t) {
+                        return marching_cubes_tessellation(
+                            f, samples, is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
+                      },
+                      [f](const Vector& p) { return f.exact(p); }, f.name == "f1i" && is_exact});
+  return list;
+}
+
+} // namespace
+
+std::vector<Surface> surfaces(Purpose purpose, double scale)
+{
+  return purpose == Purpose::CALIBRATION ? calibration(scale)
+         : purpose == Purpose::TABLES    ? tables(scale)
+                                         : validation(scale);
+}
+
+} // namespace adaptive
