@@ -241,7 +241,9 @@ private:
   Normals and positions determine the result alike. With exact normals, the error falls with the square of the edge length on
   regular meshes. On others it falls linearly in the end, and is smaller than that of `rusinkiewicz_curvatures()` where the
   surface is well sampled: along the edges alone normal curvatures have quadratic errors. With normals computed from the mesh it doesn't vanish on irregular
-  meshes, and is larger than that of estimators that average more.
+  meshes, and is larger than that of estimators that average more. The curvature along a short edge is as wrong as the inverse
+  of its length, if normals are, and as its inverse square, if points are: so meshes of marching cubes, unless their
+  points are on the surface, are nothing for it.
 
   Triangles without an area, or with points or normals that are not finite, count for nothing, and their neighbors' edges are
   those of PN triangles, as on a border.
