@@ -18,6 +18,22 @@
 #include <vector>
 
 namespace Shape_characteristics {
+namespace internal {
+
+// of unit length; the null vector where the faces determine no normal
+inline Eigen::Vector3d
+vertex_normal(const Face_graph_samples& samples, std::size_t i, Normal_weighting weighting)
+{
+  const Eigen::Vector3d sum = weighted_normal(samples, i, weighting);
+  const double square = sum.squaredNorm();
+  if(square > 1e-280 && square < 1e280)
+    return sum / std::sqrt(square);
+  if(const double l = length(sum); l > 0.)
+    return (sum / l).normalized();
+  return Eigen::Vector3d::Zero();
+}
+
+} // namespace internal
 
 /*!
   \ingroup PkgShapeCharacteristicsNormals
@@ -37,16 +53,8 @@ std::vector<Eigen::Vector3d> vertex_normals(const Face_graph_samples& samples,
   std::vector<Eigen::Vector3d> normals(samples.size(), Eigen::Vector3d::Zero());
   for_each_sample<ConcurrencyTag, Nothing>(
       samples.size(),
-      [&](const std::size_t i, Nothing&)
-      {
-        const Eigen::Vector3d sum = internal::weighted_normal(samples, i, weighting);
-        const double square = sum.squaredNorm();
-        if(square > 1e-280 && square < 1e280)
-          normals[i] = sum / std::sqrt(square);
-        else if(const double length = internal::length(sum); length > 0.)
-          normals[i] = (sum / length).normalized();
-      },
-      {}, block_size);
+      [&](const std::size_t i, Nothing&) { normals[i] = internal::vertex_normal(samples, i, weighting); }, {},
+      block_size);
   return normals;
 }
 

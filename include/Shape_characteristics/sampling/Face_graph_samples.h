@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>
@@ -183,17 +184,19 @@ public:
         if((m_points[begin] - m_points[0]).norm() <= radius)
           copy_neighbors(copied[begin]);
     }
-    // All the faces of all of them, whole: the neighbors of the inner vertices have their normals.
-    for(std::size_t i = 0, end = copied.size(); i != end; ++i)
-    {
-      copy_neighbors(copied[i]);
-      const auto start = halfedge(copied[i], mesh);
-      if(start != Graph_traits::null_halfedge())
-        for(const auto h : CGAL::halfedges_around_target(start, mesh))
-          if(!CGAL::is_border(h, mesh))
-            for(const vertex_descriptor w : CGAL::vertices_around_face(h, mesh))
-              copy(w);
-    }
+    // All the faces of all of them, whole: the neighbors of the inner vertices have their normals. Those who look at
+    // the faces in a ball also see the vertices of the faces at neighbors.
+    for(int layer = m_neighborhood.kind() == Neighborhood::Kind::BALL ? 0 : 1; layer < 2; ++layer)
+      for(std::size_t i = 0, end = copied.size(); i != end; ++i)
+      {
+        copy_neighbors(copied[i]);
+        const auto start = halfedge(copied[i], mesh);
+        if(start != Graph_traits::null_halfedge())
+          for(const auto h : CGAL::halfedges_around_target(start, mesh))
+            if(!CGAL::is_border(h, mesh))
+              for(const vertex_descriptor w : CGAL::vertices_around_face(h, mesh))
+                copy(w);
+      }
 
     const auto index = [&](const vertex_descriptor v) { return index_of.at(v); };
     m_status.assign(size(), Estimation_status::ESTIMATED);
@@ -395,6 +398,63 @@ public:
     internal::make_unit(m_normals, m_status, failure);
   }
 
+  /*!
+    sets the normals of some vertices.
+
+    \param vertices the vertices
+    \param normals their normals, as above
+    \param failure as above
+    \pre `has_normals()`
+  */
+  void set_normals(const std::vector<Index>& vertices,
+                   std::vector<Eigen::Vector3d> normals,
+                   Estimation_status failure = Estimation_status::NON_FINITE_INPUT)
+  {
+    std::vector<Estimation_status> status;
+    status.reserve(vertices.size());
+    for(const Index i : vertices)
+      status.push_back(m_status[i]);
+    internal::make_unit(normals, status, failure);
+    for(std::size_t k = 0; k < vertices.size(); ++k)
+    {
+      m_normals[vertices[k]] = normals[k];
+      m_status[vertices[k]] = status[k];
+    }
+  }
+
+  /*!
+    moves vertices: afterwards all is as if the mesh had been copied with these points, but for the normals of the vertices
+    that are returned, which must be set again.
+
+    \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag`
+    \param vertices the vertices, each of them once
+    \param points their new points
+    \return the vertices of the faces at them, and themselves, in ascending order
+    \pre all vertices of a mesh were copied, and the faces are known
+
+    Complexity: linear in the number of faces at the vertices, and a bit for each vertex and face of the mesh.
+  */
+  template <typename ConcurrencyTag = CGAL::Sequential_tag>
+  std::vector<Index> move_points(const std::vector<Index>& vertices,
+                                 const std::vector<Eigen::Vector3d>& points)
+  {
+    for(std::size_t k = 0; k < vertices.size(); ++k)
+      m_points[vertices[k]] = points[k];
+    const std::vector<Index> near =
+        vertices.size() == size() ? reorder_all_faces<ConcurrencyTag>() : reorder_faces_at(vertices);
+    for_each_sample<ConcurrencyTag, std::vector<Corner> >(
+        near.size(),
+        [&](const std::size_t k, std::vector<Corner>& corners)
+        {
+          const Index i = near[k];
+          sort_incidence(i, corners);
+          m_status[i] = m_is_border[i] ? Estimation_status::BORDER : Estimation_status::ESTIMATED;
+          check_status(i);
+        },
+        {}, s_block);
+    return near;
+  }
+
   /// replaces the point of vertex `i`, which keeps its neighbors
   void set_point(std::size_t i, const Eigen::Vector3d& point) { m_points[i] = point; }
 
@@ -430,6 +490,9 @@ private:
     for(const auto h : halfedges(mesh))
       if(CGAL::is_border(h, mesh))
         m_status[index(target(h, mesh))] = m_status[index(source(h, mesh))] = Estimation_status::BORDER;
+    m_is_border.reserve(size());
+    for(const Estimation_status status : m_status)
+      m_is_border.push_back(status == Estimation_status::BORDER);
     m_face_vertices.reserve(3 * num_faces(mesh));
     for(const auto f : faces(mesh))
       add_face(mesh, f, index);
@@ -477,15 +540,61 @@ private:
     if(!m_face_begin.empty())
       m_face_begin.push_back(Index(end));
     // The first vertex doesn't depend on where the mesh starts to count.
-    const auto first = m_face_vertices.begin() + std::ptrdiff_t(begin);
+    begin_with_smallest(m_face_vertices.begin() + std::ptrdiff_t(begin), m_face_vertices.end());
+  }
+
+  void begin_with_smallest(std::vector<Index>::iterator first, std::vector<Index>::iterator last)
+  {
     std::rotate(first,
-                std::min_element(first, m_face_vertices.end(),
+                std::min_element(first, last,
                                  [&](const Index a, const Index b)
                                  { return internal::lexicographically_smaller(m_points[a], m_points[b]); }),
-                m_face_vertices.end());
+                last);
   }
 
   std::size_t first_corner(std::size_t f) const { return m_face_begin.empty() ? 3 * f : m_face_begin[f]; }
+
+  void reorder_face(std::size_t f)
+  {
+    const auto first = m_face_vertices.begin() + std::ptrdiff_t(first_corner(f));
+    begin_with_smallest(first, first + std::ptrdiff_t(degree(f)));
+  }
+
+  // after points were moved; both return the vertices of the faces, and the vertices themselves
+  template <typename ConcurrencyTag>
+  std::vector<Index> reorder_all_faces()
+  {
+    for_each_sample<ConcurrencyTag, Index>(
+        number_of_faces(), [&](const std::size_t f, Index&) { reorder_face(f); }, {}, s_block);
+    std::vector<Index> all(size());
+    std::iota(all.begin(), all.end(), Index(0));
+    return all;
+  }
+
+  std::vector<Index> reorder_faces_at(const std::vector<Index>& vertices)
+  {
+    std::vector<bool> is_near(size(), false), is_visited(number_of_faces(), false);
+    std::vector<Index> near = vertices;
+    for(const Index i : vertices)
+      is_near[i] = true;
+    for(const Index i : vertices)
+      for(std::size_t k = m_incidence_begin[i]; k < m_incidence_begin[i + 1]; ++k)
+      {
+        const Index f = m_incidence[k];
+        if(is_visited[f])
+          continue;
+        is_visited[f] = true;
+        reorder_face(f);
+        for(std::size_t c = 0; c < degree(f); ++c)
+          if(const Index j = vertex(f, c); !is_near[j])
+          {
+            is_near[j] = true;
+            near.push_back(j);
+          }
+      }
+    std::sort(near.begin(), near.end());
+    return near;
+  }
 
   // the faces at the vertices, sorted if anybody is going to see them, and the statuses that follow
   template <typename ConcurrencyTag>
@@ -510,12 +619,17 @@ private:
         {
           if(sorts)
             sort_incidence(i, corners);
-          if(m_incidence_begin[i] == m_incidence_begin[i + 1])
-            m_status[i] = Estimation_status::UNREFERENCED;
-          else if(!m_points[i].allFinite())
-            m_status[i] = Estimation_status::NON_FINITE_INPUT;
+          check_status(i);
         },
         {}, s_block);
+  }
+
+  void check_status(std::size_t i)
+  {
+    if(m_incidence_begin[i] == m_incidence_begin[i + 1])
+      m_status[i] = Estimation_status::UNREFERENCED;
+    else if(!m_points[i].allFinite())
+      m_status[i] = Estimation_status::NON_FINITE_INPUT;
   }
 
   // A triangle as it is seen from one of its vertices: the other two, by their x coordinates first.
@@ -714,6 +828,7 @@ private:
   Neighborhood m_neighborhood;
   std::vector<Eigen::Vector3d> m_points, m_normals;
   std::vector<Estimation_status> m_status;
+  std::vector<bool> m_is_border;                           // of a whole mesh: by vertex
   std::vector<Index> m_adjacency_begin, m_incidence_begin; // by vertex; the first may be empty
   std::vector<Index> m_adjacency, m_incidence;             // neighbors and faces of the vertices
   std::vector<Index> m_face_begin;                         // empty if all faces are triangles
