@@ -80,7 +80,7 @@ private:
     std::vector<std::pair<Vector, double> > gaps; // unit vectors; 1 at the end of a fan, -1 at its beginning
   };
 
-  // returns whether the face has a border in the ball
+  // returns whether the face has a border near the vertex
   static bool add_face(const Faces_in_ball& ball,
                        Index f,
                        Index center,
@@ -121,7 +121,7 @@ private:
         }
         if(is_border && Ball_section::clip(p, q))
         {
-          has_border = true;
+          has_border = has_border || is_near(p, q);
           section.add_great_arc(p, q, direction * sign * normal, direction);
         }
       }
@@ -134,6 +134,15 @@ private:
       }
     }
     return has_border;
+  }
+
+  // Whether a segment of the border is so near that it matters by more than some percent
+  static bool is_near(const Vector& p, const Vector& q)
+  {
+    constexpr double distance = .75;
+    const Vector d = q - p;
+    const double length = d.squaredNorm(), t = length > 0. ? (std::clamp)(-p.dot(d) / length, 0., 1.) : 0.;
+    return (p + t * d).squaredNorm() < distance * distance;
   }
 
   // Adds the cone at the vertex. At a border, the surface goes on in the tangent plane.
@@ -194,7 +203,8 @@ private:
   What counts is the part of the mesh around the vertex: triangles at vertices that are reached by edges inside of the ball. Another
   sheet that passes through the ball doesn't count. A mesh that isn't closed bounds no solid; where the ball reaches across
   a border, the surface goes on along rays from the vertex, and, from a vertex on the border, in the tangent plane.
-  The estimate is smaller in magnitude then, and its status is `BORDER`, also at vertices that are not on the border themselves.
+  The estimate is smaller in magnitude then: by some percent where the border is three quarters of the radius away, by half at the
+  border itself. Where it is nearer than three quarters, the status is `BORDER`, also at vertices that are not on the border.
 
   Of the normals nothing is used but the tangent plane and the side. The estimates are means over the ball, which must be small
   compared to the details and larger than the edges; a larger one is steadier where there is noise. In contrast to fits and
