@@ -237,8 +237,8 @@ BOOST_AUTO_TEST_CASE(borders)
   for(std::size_t i = 0; i < s.points.size(); ++i)
   {
     const double distance = std::min(s.points[i][2], 2. - s.points[i][2]);
-    BOOST_TEST((result.status[i] == SC::Estimation_status::BORDER) == (distance < .75 * radius));
-    if(result.status[i] == SC::Estimation_status::ESTIMATED)
+    BOOST_TEST((result.status[i] == SC::Estimation_status::BORDER) == s.exact[i].border);
+    if(distance >= .75 * radius)
       BOOST_TEST(std::abs(result.curvatures[i].max_curvature - 1.) < .08);
     BOOST_TEST(result.curvatures[i].max_curvature < 1.05);
     BOOST_TEST(result.curvatures[i].max_curvature > .3);

@@ -42,7 +42,7 @@ public:
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
   {
-    Estimation_status status = m_samples.status(i);
+    const Estimation_status status = m_samples.status(i);
     if(!is_estimated(status))
       return Curvature_estimate(status);
     const double radius = radius_of_ball(m_samples, i, m_neighborhood);
@@ -60,8 +60,7 @@ public:
     Ball_section section;
     Fan fan;
     for(const Index f : ball.faces())
-      if(add_face(ball, f, Index(i), outward, section, fan))
-        status = Estimation_status::BORDER;
+      add_face(ball, f, Index(i), outward, section, fan);
     if(!close(fan, outward, section))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
@@ -80,8 +79,7 @@ private:
     std::vector<std::pair<Vector, double> > gaps; // unit vectors; 1 at the end of a fan, -1 at its beginning
   };
 
-  // returns whether the face has a border near the vertex
-  static bool add_face(const Faces_in_ball& ball,
+  static void add_face(const Faces_in_ball& ball,
                        Index f,
                        Index center,
                        const Vector& outward,
@@ -93,7 +91,7 @@ private:
     const Vector doubled_area = ball.doubled_area(f);
     const double doubled = doubled_area.norm();
     if(!(doubled > 0.))
-      return false;
+      return;
     // counterclockwise seen from the normal, whichever side is outward
     Vector normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
     const double sign = normal.dot(doubled_area) < 0. ? -1. : 1.;
@@ -105,7 +103,6 @@ private:
                          [](const Vector& p, const Vector& q) { return p.squaredNorm() < q.squaredNorm(); });
     section.add_face(corners, normal, is_at_center ? 0. : normal.dot(*nearest), sign);
 
-    bool has_border = false;
     for(const Faces_in_ball::Edge& e : ball.edges(f))
     {
       const bool is_border = e.other == Faces_in_ball::no_face || !ball.contains(e.other);
@@ -120,29 +117,15 @@ private:
           fan.faces += (d + g).normalized();
         }
         if(is_border && Ball_section::clip(p, q))
-        {
-          has_border = has_border || is_near(p, q);
           section.add_great_arc(p, q, direction * sign * normal, direction);
-        }
       }
       else if(is_border)
       {
-        has_border = true;
         // The face runs into the vertex along the last edge of a fan.
         const bool is_last = (e.q == center) == e.is_forward;
         fan.gaps.emplace_back(ball.point(e.q == center ? e.p : e.q).normalized(), is_last ? 1. : -1.);
       }
     }
-    return has_border;
-  }
-
-  // Whether a segment of the border is so near that it matters by more than some percent
-  static bool is_near(const Vector& p, const Vector& q)
-  {
-    constexpr double distance = .75;
-    const Vector d = q - p;
-    const double length = d.squaredNorm(), t = length > 0. ? (std::clamp)(-p.dot(d) / length, 0., 1.) : 0.;
-    return (p + t * d).squaredNorm() < distance * distance;
   }
 
   // Adds the cone at the vertex. At a border, the surface goes on in the tangent plane.
@@ -203,8 +186,8 @@ private:
   What counts is the part of the mesh around the vertex: triangles at vertices that are reached by edges inside of the ball. Another
   sheet that passes through the ball doesn't count. A mesh that isn't closed bounds no solid; where the ball reaches across
   a border, the surface goes on along rays from the vertex, and, from a vertex on the border, in the tangent plane.
-  The estimate is smaller in magnitude then: by some percent where the border is three quarters of the radius away, by half at the
-  border itself. Where it is nearer than three quarters, the status is `BORDER`, also at vertices that are not on the border.
+  Across the border, the estimate is smaller in magnitude then: by some percent where the border is three quarters of the
+  radius away, by half at the border itself. As everywhere in the library, the status is `BORDER` at vertices on the border.
 
   Of the normals nothing is used but the tangent plane and the side. The estimates are means over the ball, which must be small
   compared to the details and larger than the edges; a larger one is steadier where there is noise. In contrast to fits and
