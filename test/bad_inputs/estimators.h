@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
 #include <Shape_characteristics/curvature/boschiroli_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
@@ -333,6 +334,7 @@ template <typename Input>
 std::vector<Estimator<Input>> estimators()
 {
   const auto hrbf = [](auto&&... a) { return SC::hrbf_curvatures(std::forward<decltype(a)>(a)...); };
+  const auto adaptive = [](auto&&... a) { return SC::adaptive_curvatures(std::forward<decltype(a)>(a)...); };
   const auto jet_fitting = [](auto&&... a)
   { return SC::jet_fitting_curvatures(std::forward<decltype(a)>(a)...); };
   const auto goldfeather_interrante = [](auto&&... a)
@@ -389,6 +391,13 @@ std::vector<Estimator<Input>> estimators()
         { return np.radial_basis_function(SC::Exponential_cubic()).normals_are_exact(true); });
     e.has_box = true;
     e.accuracy = 4.; // its matrix is indefinite: some neighborhoods give nonsense
+  }
+  {
+    Estimator<Input>& e = list.add_curvatures("adaptive", adaptive, defaults);
+    e.is_local = false;                                             // nor is its level of noise
+    e.difference_of_fits = std::numeric_limits<double>::infinity(); // it may choose another fit
+    e.accuracy = .01;
+    e.reproducibility = 1e-3;
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;
