@@ -6,6 +6,7 @@
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
@@ -156,6 +157,12 @@ std::function<void(const Task&)> hildebrandt_polthier(unsigned int rings)
   { SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
 }
 
+std::function<void(const Task&)> integral_invariant(unsigned int rings)
+{
+  return [rings](const Task& t)
+  { SC::integral_invariant_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+}
+
 void batagelo_wu(const Task& t)
 {
   SC::batagelo_wu_curvatures(t.mesh, t.parameters());
@@ -251,6 +258,8 @@ const std::vector<Estimator>& estimators()
       {"Hildebrandt-Polthier", "2 edges", everywhere("HP"), hildebrandt_polthier(2)},
       {"Hildebrandt-Polthier", "3 edges", everywhere("HP"), hildebrandt_polthier(3), Cost::HIGH},
       {"Hildebrandt-Polthier", "4 edges", everywhere("HP"), hildebrandt_polthier(4), Cost::HIGH},
+      {"integral invariants", "2 edges", everywhere(), integral_invariant(2)},
+      {"integral invariants", "4 edges", everywhere(), integral_invariant(4), Cost::HIGH},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
       {"jet d=2", "4 rings", everywhere(), jet(2, 4)},
       {"jet d=4", "2 rings", everywhere(), jet(4, 2)},
