@@ -10,6 +10,7 @@
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
@@ -487,6 +488,14 @@ std::vector<Estimator<Input>> estimators()
       Estimator<Input>& e = list.add_curvatures("hildebrandt_polthier", hildebrandt_polthier, defaults);
       e.needs_triangles = true;
       e.accuracy = .1; // and so is this
+    }
+    const auto integral_invariant = [](auto&&... a)
+    { return SC::integral_invariant_curvatures(std::forward<decltype(a)>(a)...); };
+    {
+      Estimator<Input>& e = list.add_curvatures("integral_invariant", integral_invariant, defaults);
+      e.needs_triangles = true;
+      e.flips_exactly = false; // the solid on the other side has other roundings
+      e.accuracy = .1;
     }
   }
   {

@@ -7,6 +7,7 @@
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 #include <Shape_characteristics/curvature/interpolated_corrected_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
@@ -126,6 +127,12 @@ void hildebrandt_polthier(Workload& w, unsigned int threads)
 {
   on_threads(threads, [&](auto tag)
              { SC::hildebrandt_polthier_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void integral_invariant(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag)
+             { SC::integral_invariant_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
 }
 
 void batagelo_wu(Workload& w, unsigned int threads)
@@ -253,6 +260,7 @@ const std::vector<Estimator>& estimators()
       {"Kalogerakis", "2 rings", true, kalogerakis},
       {"normal cycle", "2 edges", true, normal_cycle},
       {"Hildebrandt-Polthier", "2 edges", true, hildebrandt_polthier},
+      {"integral invariants", "2 edges", true, integral_invariant},
       {"Goldfeather-Interrante", "2 rings", false, goldfeather_interrante},
 #ifdef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
       {"interpolated corrected", "1 ring", false, interpolated_corrected},
