@@ -82,8 +82,7 @@ struct Noting_map
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam Estimator a function, see above. It is called by several threads at once.
   \tparam NamedParameters the type of the named parameters
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
 
   \cgalExample{curvature/dynamic_curvatures.cpp}
 */

@@ -55,8 +55,7 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
 
   Where the first of these says that normals are exact beyond doubt, nothing else is asked.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

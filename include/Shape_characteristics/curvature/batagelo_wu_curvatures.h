@@ -122,8 +122,7 @@ Neighborhood batagelo_wu_mesh_neighborhood(const NamedParameters& np)
   With exact normals, spheres and planes are met exactly, and the error falls with the square of the edge length on
   regular meshes, and linearly on others. With normals computed from the mesh it doesn't vanish on irregular meshes.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

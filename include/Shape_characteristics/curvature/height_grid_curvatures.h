@@ -240,8 +240,7 @@ Height_grid_estimator<HeightRange> height_grid_estimator(const HeightRange& heig
   Heights need no smoothing to be differentiated, but noise is: \f$ \sigma \f$ in the heights becomes about
   \f$ 2.4\, \sigma / s^2 \f$ in the second derivatives. For noisy heights, the estimators of points with normals average.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam HeightRange a range with random access (a `std::vector`, say) of numbers
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

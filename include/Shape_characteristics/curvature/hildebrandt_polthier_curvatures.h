@@ -204,8 +204,7 @@ private:
 
   Triangles without an area, or with points or normals that are not finite, count for nothing.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 
@@ -215,17 +214,7 @@ private:
   \cgalNamedParamsBegin
     \scMeshOutputParameters
     \scMeshInputParameters
-    \cgalParamNBegin{neighbor_radius}
-      \cgalParamDescription{the radius of the ball, in the unit of the points}
-      \cgalParamType{`FT`}
-      \cgalParamDefault{not used}
-    \cgalParamNEnd
-    \cgalParamNBegin{number_of_rings}
-      \cgalParamDescription{without `neighbor_radius`: the radius of the ball at each vertex, in mean lengths of the edges at
-                            the vertex}
-      \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`2`}
-    \cgalParamNEnd
+    \scBallParameters
     \scCallbackParameter
   \cgalNamedParamsEnd
 

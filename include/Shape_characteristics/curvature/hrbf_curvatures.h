@@ -56,8 +56,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
   the systems of equations magnify the rounding of the coordinates.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

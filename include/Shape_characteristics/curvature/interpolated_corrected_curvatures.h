@@ -336,8 +336,7 @@ double corrected_curvatures_radius(const NamedParameters& np)
   faces, or on faraway points that are not finite; a failure is told from a plane; and normals may point to either
   side.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -125,8 +125,7 @@ private:
   don't take part, but for saying which side is outside. On a smooth surface without noise, the error falls with the power
   `degree_fitting` - 1 of the size of the neighborhood.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

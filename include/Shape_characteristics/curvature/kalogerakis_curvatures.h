@@ -387,8 +387,7 @@ private:
   squares, and its error falls with the square of the size of the neighborhood on regular meshes. The shape parameters of
   the paper that learn weights for boundaries are replaced by the cut-off.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

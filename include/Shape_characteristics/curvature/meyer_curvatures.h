@@ -219,8 +219,7 @@ private:
   the nearest ring that has some (of at most three rings), turned into the tangent plane, and the status is `BORDER`; without such
   vertices it is `DEGENERATE`.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -244,8 +244,7 @@ Neighborhood moving_least_squares_neighborhood(const NamedParameters& np)
   is, because its second derivatives see how the points are spread: on a torus, about 5 % of the largest curvature. Larger
   neighborhoods make it smaller on irregular samples.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam PointRange a model of `ConstRange`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -120,8 +120,7 @@ private:
   two rings, as the paper recommends, the error falls with the square of its size where neighbors lie symmetrically, and linearly
   elsewhere: patches have cubic terms, but not all of them. For the same reason it depends a little on the direction of the axes.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -94,8 +94,7 @@ private:
 
   Triangles without an area, or with points or normals that are not finite, count for nothing.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

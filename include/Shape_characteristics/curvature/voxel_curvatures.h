@@ -115,8 +115,7 @@ private:
   with it. With voxels of side \f$ h \f$, radii in proportion to \f$ h^{1/3} \f$ (to \f$ h^{1/2} \f$ if values are grey) make
   both fall.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam PointRange a model of `ConstRange`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

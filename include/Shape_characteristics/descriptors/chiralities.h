@@ -33,8 +33,7 @@ chiralities_of(const SampledSurface& surface, Sample_curvatures curvatures, cons
   computes the chirality of the vertices of a mesh by mean curvature and curvedness, one number each, which changes its sign
   when the surface is mirrored. `Chirality_descriptor` says what it is.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

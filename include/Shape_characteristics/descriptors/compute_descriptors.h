@@ -65,8 +65,7 @@ Descriptor_matrix compute_descriptor_rows(const Descriptor& descriptor,
 
   computes the descriptors of the samples `0, ..., number_of_samples - 1`: row `i` of the matrix is that of sample `i`.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam Descriptor a model of the concept `Descriptor`
 
   \param descriptor the descriptor

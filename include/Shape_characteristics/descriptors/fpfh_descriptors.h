@@ -60,8 +60,7 @@ Descriptor_matrix fpfh_descriptors_of(const SampledSurface& surface, const Named
 
   computes the fast point feature histograms of the vertices of a mesh \cgalCite{rusu_fpfh}: what `Fpfh_descriptor` says.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -22,8 +22,7 @@ namespace Shape_characteristics {
 
   computes the point feature histograms of the vertices of a mesh \cgalCite{rusu_pfh}: what `Pfh_descriptor` says.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

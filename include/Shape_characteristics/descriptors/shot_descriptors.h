@@ -33,8 +33,7 @@ Descriptor_matrix shot_descriptors_of(const SampledSurface& surface, const Named
   computes the SHOT descriptors of the vertices of a mesh: 352 numbers each, of unit norm. `Shot_descriptor` says what
   they are.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -41,8 +41,7 @@ signed_volumes_of(const SampledSurface& surface, Sample_curvatures curvatures, c
   computes the signed volumes of the vertices of a mesh by mean and by Gaussian curvature, two numbers each, which change
   their signs when the surface is mirrored. `Signed_volume_descriptor` says what they are.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -66,8 +66,7 @@ symmetry_fluxes_of(const SampledSurface& surface, std::vector<double> areas, con
   computes the symmetry-aware flux of the vertices of a mesh, one number each, which changes its sign when the surface is
   mirrored. `Symmetry_flux_descriptor` says what it is.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

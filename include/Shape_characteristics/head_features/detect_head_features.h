@@ -173,8 +173,7 @@ std::size_t number_of_thesis_vertices(const Parameter& given, const char* messag
 
   Nothing depends on the unit and the place of the mesh, nor, up to the accuracy of its estimate, on the pose.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -78,8 +78,7 @@ Symmetry_detection<Kernel> detect_symmetry_plane_of(const Pose_points& points)
   The curvatures and normals are averaged over 6 % of the radius, and the samples are evenly spread: noise and tessellation have little
   influence. Nothing depends on the unit, the place and the pose of the shape, up to the choice of samples.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

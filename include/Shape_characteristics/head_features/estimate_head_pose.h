@@ -200,8 +200,7 @@ head_pose_of(const Pose_points& points, const NamedParameters& np, const bool is
   definition. On heads of ICT-FaceKit that the mean head doesn't contain, pitch differs by some 1.5° from that model's (root mean
   square), yaw and roll by 0.3°. The same head in another pose gets the same frame up to about a tenth of that.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

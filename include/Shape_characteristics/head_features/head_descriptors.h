@@ -82,8 +82,7 @@ inline double longest_side(const Face_graph_samples& samples)
 
   Neither the unit nor the pose of the mesh matters, but for the box by which its size is measured if no pose is given.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

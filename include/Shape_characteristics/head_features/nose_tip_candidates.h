@@ -31,8 +31,7 @@ namespace Shape_characteristics {
   lips, the chin and the ends of the collar bones are among them; those that aren't on the plane of symmetry, by
   Nose_tip_candidate::asymmetry, can't be the nose, as the thesis says. `estimate_head_pose()` tries the others.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

@@ -162,8 +162,7 @@ private:
   the distance from `maximum_correspondence_distance` to three times the spacing of the target's points, the width of
   the weights to a tenth of it, or what the median asks for.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 
   \param source the source

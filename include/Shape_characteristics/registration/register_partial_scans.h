@@ -79,8 +79,7 @@ CGAL::Aff_transformation_3<Kernel> to_cgal(const Eigen::Affine3d& motion)
 
   No parameter has a unit, and nothing depends on the unit, the place and the pose of the scans, up to rounding.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam Source a model of `FaceListGraph`, or of `ConstRange` for a point set with normals
   \tparam Target likewise, not necessarily the same
   \tparam NamedParametersOfSource a sequence of \ref sc_namedparameters "Named Parameters"

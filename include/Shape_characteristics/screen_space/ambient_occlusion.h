@@ -28,8 +28,7 @@ namespace Shape_characteristics {
   in a deep shaft is lit. `ray_cast_ambient_occlusion()` tells how far that is from the truth, and `Ambient_occlusion_pass` does
   the same as this function on the GPU. For curvatures from elsewhere, such as those of the vertices of a mesh, call the mapping itself.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam GBuffer a model of the concept `GBuffer`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 

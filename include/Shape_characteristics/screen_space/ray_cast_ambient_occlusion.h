@@ -35,8 +35,7 @@ namespace Shape_characteristics {
   Faces hide from both sides. Faces with more than three vertices are cut into triangles; those without an area or with coordinates that are not finite
   are left out.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam GBuffer a model of `GBuffer`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"

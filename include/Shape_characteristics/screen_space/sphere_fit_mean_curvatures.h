@@ -132,8 +132,7 @@ private:
 
   `Sphere_fit_mean_curvature_pass` is the same on the GPU.
 
-  \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag` (default).
-          The results are the same, bit for bit, for any number of threads.
+  \scConcurrencyTag
   \tparam GBuffer a model of the concept `GBuffer`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 
