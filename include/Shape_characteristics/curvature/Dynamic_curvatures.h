@@ -74,7 +74,8 @@ struct Noting_map
   The overload for one vertex copies the surroundings of the vertex, which takes longer than most estimators do with
   them: some ten to a hundred times as long as the share of a vertex in an estimate of the whole mesh. So an update is
   worth its while where the vertices that moved are next to each other and a small part of the mesh, or the estimator is
-  costly, as those with large balls are; `benchmark/speed/moving_mesh.cpp` measures it. For Rusinkiewicz's there is `Dynamic_rusinkiewicz_curvatures`, which copies nothing.
+  costly, as those with large balls are; `benchmark/speed/moving_mesh.cpp` measures it. For Rusinkiewicz's there is
+  `Dynamic_rusinkiewicz_curvatures`, which copies nothing.
 
   The mesh must outlive the object. Its faces and edges must not change; after a change, construct anew. The memory is 4 bytes
   for each vertex that a vertex asked for, some hundred bytes a vertex.
