@@ -61,11 +61,11 @@ const std::vector<Expected_order>& expected_orders()
   return orders;
 }
 
-/// Whether a table is run whose order names this estimator.
-bool order_needs(const Options& options, const std::string& label)
+/// Whether an order that is expected in this table names the estimator.
+bool is_ordered(const std::string& table, const std::string& label)
 {
   for(const Expected_order& o : expected_orders())
-    if((o.better == label || o.worse == label) && is_among(options.tables, o.table))
+    if(o.table == table && (o.better == label || o.worse == label))
       return true;
   return false;
 }
@@ -115,7 +115,7 @@ void run_estimators(const Table& table,
   for(const Estimator& e : estimators())
     for(const Appearance& a : e.appearances)
       if(a.table == table.number() &&
-         (options.costly || e.cost == Cost::LOW || order_needs(options, e.label())))
+         (options.costly || e.cost == Cost::LOW || is_ordered(table.name, e.label())))
       {
         chosen.push_back(&e);
         rows.push_back({e.name, e.neighbourhood, a.column, std::vector<Errors>(table.surfaces.size())});
