@@ -18,7 +18,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <utility>
+#include <limits>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -129,8 +129,6 @@ public:
     return m_noise_level;
   }
 
-  bool has_field(Choice choice) const { return !m_fields[std::size_t(choice)].empty(); }
-
   const Fitted_field& field(Choice choice)
   {
     Fitted_field& field = m_fields[std::size_t(choice)];
@@ -167,8 +165,6 @@ public:
     }
     return field;
   }
-
-  bool has_statistic(Name name) const { return !m_statistics[std::size_t(name)].empty(); }
 
   const std::vector<float>& statistic(Name name)
   {
@@ -295,13 +291,13 @@ private:
   static float logarithm(double x)
   {
     constexpr double least = 1e-12, largest = 1e3;
-    return float(std::log10((std::min)((std::max)(x, least), largest))); // NaN becomes the largest
+    return float(std::log10((std::min)((std::max)(x, least), largest)));
   }
 
-  // the mean over sample i and its neighbors of what is known there
+  // the logarithm of the mean over each sample and its neighbors of what is known there, whatever its sign
   std::vector<float> pooled(const std::vector<double>& values) const
   {
-    std::vector<float> result(m_size, logarithm(1e3));
+    std::vector<float> result(m_size, logarithm(std::numeric_limits<double>::infinity()));
     for_each_sample<ConcurrencyTag, Nothing>(m_size,
                                              [&](const std::size_t i, Nothing&)
                                              {
@@ -319,7 +315,7 @@ private:
                                                for(const Index j : m_neighbors[i])
                                                  add(j);
                                                if(number > 0)
-                                                 result[i] = logarithm(sum / double(number));
+                                                 result[i] = logarithm(std::abs(sum) / double(number));
                                              });
     return result;
   }
@@ -417,29 +413,7 @@ private:
     return pooled(of_samples);
   }
 
-  std::vector<float> drift(Choice choice)
-  {
-    const std::vector<double> of_samples = heights(choice);
-    std::vector<float> result(m_size);
-    for(std::size_t i = 0; i < m_size; ++i)
-    {
-      double sum = 0.;
-      std::size_t number = 0;
-      const auto add = [&](const std::size_t j)
-      {
-        if(j < m_size && std::isfinite(of_samples[j]))
-        {
-          sum += of_samples[j];
-          ++number;
-        }
-      };
-      add(i);
-      for(const Index j : m_neighbors[i])
-        add(j);
-      result[i] = logarithm(number > 0 ? std::abs(sum) / double(number) : 1e3);
-    }
-    return result;
-  }
+  std::vector<float> drift(Choice choice) { return pooled(heights(choice)); }
 
   std::vector<float> irregularity() const
   {
