@@ -10,6 +10,8 @@
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/boost/graph/iterator.h>
 #ifdef CGAL_USE_OPENMESH
 #include <OpenMesh/Core/IO/MeshIO.hh>
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
@@ -35,6 +37,7 @@
 #include <functional>
 #include <numeric>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -522,6 +525,49 @@ void check_callback(const Estimator& estimator)
   BOOST_TEST(cancelled > 0u);
   BOOST_TEST(cancelled < s.points.size());
   BOOST_TEST(cancelled == failures);
+}
+
+// a face that is no triangle is refused, with a text that says so
+template <typename Estimator, typename NamedParameters>
+void check_needs_triangles(const Estimator& estimator, const NamedParameters& np)
+{
+  Surface_mesh quad;
+  CGAL::make_quad(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
+                  Kernel::Point_3(0, 1, 0), quad);
+  BOOST_CHECK_EXCEPTION(estimator.template all<CGAL::Sequential_tag>(quad, np), std::invalid_argument,
+                        [](const std::invalid_argument& e)
+                        { return std::string(e.what()).find("triangle") != std::string::npos; });
+  BOOST_CHECK_THROW(estimator.one(*vertices(quad).begin(), quad, np), std::invalid_argument);
+}
+
+// A triangle without area, or with a point that is not finite, changes nothing for its neighbors' other triangles. Returns the
+// statuses of the neighbors of the point that isn't.
+template <typename Estimator>
+std::vector<SC::Estimation_status> check_useless_triangles(const Estimator& estimator)
+{
+  const Analytic_surface s = test_support::sphere(1., 2, .2, 9);
+  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  const Surface_mesh::Vertex_index v(0);
+  std::vector<std::size_t> at_v;
+  for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
+    at_v.push_back(mesh.source(h));
+  mesh.point(v) = mesh.point(mesh.source(mesh.halfedge(v)));
+  const Result collapsed = run(estimator, mesh, s, Normals::EXACT);
+  for(std::size_t i = 0; i < s.points.size(); ++i)
+    BOOST_TEST(
+        (std::isfinite(collapsed.curvatures[i].min_curvature) && SC::is_estimated(collapsed.status[i])));
+
+  mesh.point(v) = Kernel::Point_3(std::nan(""), 0., 0.);
+  const Result broken = run(estimator, mesh, s, Normals::EXACT);
+  BOOST_TEST((broken.status[0] == SC::Estimation_status::NON_FINITE_INPUT));
+  BOOST_TEST(broken.failures == 1u);
+  std::vector<SC::Estimation_status> of_neighbors;
+  for(const std::size_t i : at_v)
+  {
+    BOOST_TEST(std::abs(broken.mean[i] - 1.) < .3);
+    of_neighbors.push_back(broken.status[i]);
+  }
+  return of_neighbors;
 }
 
 } // namespace estimator_checks

@@ -335,18 +335,12 @@ BOOST_AUTO_TEST_CASE(other_sheets_do_not_count)
 
 BOOST_AUTO_TEST_CASE(preconditions)
 {
-  Surface_mesh quad, triangle;
-  CGAL::make_quad(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
-                  Kernel::Point_3(0, 1, 0), quad);
+  Surface_mesh triangle;
   CGAL::make_triangle(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0), triangle);
-  const auto v = *vertices(quad).begin();
   const auto np = SC::parameters::normal_weighting(SC::Normal_weighting::MAX);
   for(const Ball_estimator& estimator : both)
   {
-    BOOST_CHECK_EXCEPTION(estimator.all<CGAL::Sequential_tag>(quad, np), std::invalid_argument,
-                          [](const std::invalid_argument& e)
-                          { return std::string(e.what()).find("triangle") != std::string::npos; });
-    BOOST_CHECK_THROW(estimator.one(v, quad, np), std::invalid_argument);
+    check_needs_triangles(estimator, np);
     BOOST_CHECK_THROW(run(Ball_estimator{estimator.method, 0}, test_support::plane(1., 2), Normals::EXACT),
                       std::invalid_argument);
     for(const double radius : {0., -1., std::nan("")})

@@ -20,8 +20,6 @@
 #include <cstddef>
 #include <functional>
 #include <map>
-#include <set>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -288,43 +286,14 @@ BOOST_AUTO_TEST_CASE(callback)
 
 BOOST_AUTO_TEST_CASE(need_triangles)
 {
-  Surface_mesh mesh;
-  CGAL::make_quad(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(1, 1, 0),
-                  Kernel::Point_3(0, 1, 0), mesh);
   for(const Patch_estimator& estimator : all_methods)
-  {
-    const auto np = SC::parameters::normal_weighting(SC::Normal_weighting::MAX);
-    BOOST_CHECK_EXCEPTION(estimator.all<CGAL::Sequential_tag>(mesh, np), std::invalid_argument,
-                          [](const std::invalid_argument& e)
-                          { return std::string(e.what()).find("triangle") != std::string::npos; });
-    BOOST_CHECK_THROW(estimator.one(*vertices(mesh).begin(), mesh, np), std::invalid_argument);
-  }
+    check_needs_triangles(estimator, SC::parameters::normal_weighting(SC::Normal_weighting::MAX));
 }
 
-// a triangle without area, or with a point that is not finite, changes nothing for its neighbors' other triangles
 BOOST_AUTO_TEST_CASE(useless_triangles_count_for_nothing)
 {
-  const Analytic_surface s = test_support::sphere(1., 2, .2, 9);
   for(const Patch_estimator& estimator : all_methods)
-  {
-    Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
-    const Surface_mesh::Vertex_index v(0);
-    std::set<std::size_t> at_v;
-    for(const auto h : CGAL::halfedges_around_target(mesh.halfedge(v), mesh))
-      at_v.insert(mesh.source(h));
-    mesh.point(v) = mesh.point(mesh.source(mesh.halfedge(v)));
-    const Result collapsed = run(estimator, mesh, s, Normals::EXACT);
-    for(std::size_t i = 0; i < s.points.size(); ++i)
-      BOOST_TEST(
-          (std::isfinite(collapsed.curvatures[i].min_curvature) && SC::is_estimated(collapsed.status[i])));
-
-    mesh.point(v) = Kernel::Point_3(std::nan(""), 0., 0.);
-    const Result broken = run(estimator, mesh, s, Normals::EXACT);
-    BOOST_TEST((broken.status[0] == SC::Estimation_status::NON_FINITE_INPUT));
-    BOOST_TEST(broken.failures == 1u);
-    for(const std::size_t i : at_v)
-      BOOST_TEST(std::abs(broken.mean[i] - 1.) < .3);
-  }
+    check_useless_triangles(estimator);
 }
 
 // An ear has one triangle: its patch is a whole surface, with a border all around.
