@@ -2,6 +2,7 @@
 #
 # Shape_characteristics_development    the library, our warnings and sanitizers, TBB where it is found
 # Shape_characteristics_OpenMesh       OpenMesh, where it is found
+# Shape_characteristics_precompiled    precompiled/: headers of other libraries, and what takes long to compile of them
 # shape_characteristics_add_program()  one program from one source file
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
@@ -22,11 +23,17 @@ if(SHAPE_CHARACTERISTICS_SANITIZERS)
   # (misaligned).
   target_compile_options(Shape_characteristics_development INTERFACE
     -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS}
-    -fno-sanitize=alignment,null,object-size,vptr
+    -fno-sanitize=alignment,null,object-size,vptr$<$<CXX_COMPILER_ID:Clang>:,function>
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(Shape_characteristics_development INTERFACE
     -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS})
 endif()
+
+add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL
+  ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp)
+target_include_directories(Shape_characteristics_precompiled INTERFACE ${CMAKE_CURRENT_LIST_DIR}/precompiled)
+target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
+target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
 find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh)
@@ -49,6 +56,12 @@ function(shape_characteristics_includes result source header)
   else()
     set(${result} FALSE PARENT_SCOPE)
   endif()
+endfunction()
+
+# Compiles `target` with what is precompiled, and links it.
+function(shape_characteristics_use_precompiled target)
+  target_precompile_headers(${target} REUSE_FROM Shape_characteristics_precompiled)
+  target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
 endfunction()
 
 # Adds the program `target` from `source`, put below the build folder where its source is below the project's.

@@ -14,16 +14,15 @@
 #include "../support/Ply_file.h"
 #include "../support/data_file.h"
 #include "../support/drawable_mesh.h"
+#include "../support/read_triangle_mesh.h"
 
 #include <Shape_characteristics/head_features/deform_as_rigid_as_possible.h>
 #include <Shape_characteristics/head_features/deform_by_handles.h>
 #include <Shape_characteristics/head_features/detect_head_features.h>
 #include <Shape_characteristics/head_features/head_expression_handles.h>
 
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cctype>
 #include <cstddef>
@@ -95,15 +94,6 @@ Command_line read(int argc, char* argv[])
   return c;
 }
 
-Mesh read_mesh(const std::string& file)
-{
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(file, mesh))
-    throw std::runtime_error("cannot read " + file);
-  CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
-  return mesh;
-}
-
 // Feature points may be set by hand as well: these are vertices of CGAL's head.off.
 Features set_by_hand(const Mesh& mesh)
 {
@@ -135,7 +125,7 @@ int run(int argc, char* argv[])
 {
   Command_line c = read(argc, argv);
   const bool is_ours = c.file.empty();
-  const Mesh mesh = read_mesh(is_ours ? support::data_file("meshes/head.off") : c.file);
+  const Mesh mesh = support::read_triangle_mesh(is_ours ? support::data_file("meshes/head.off") : c.file);
   const Features head = is_ours
                             ? set_by_hand(mesh)
                             : SC::detect_head_features(mesh, SC::parameters::head_is_aligned(c.is_aligned));

@@ -10,14 +10,14 @@
 #include "../support/Mesh_renderer.h"
 #include "../support/Ply_file.h"
 #include "../support/data_file.h"
+#include "../support/read_triangle_mesh.h"
 
 #include <Shape_characteristics/head_features/detect_head_features.h>
+#include <Shape_characteristics/normals/vertex_normals.h>
 
-#include <CGAL/Polygon_mesh_processing/compute_normal.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <array>
 #include <cmath>
@@ -33,7 +33,6 @@
 #include <vector>
 
 namespace SC = Shape_characteristics;
-namespace PMP = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Head = SC::Head_features<Mesh, Kernel>;
@@ -234,6 +233,8 @@ support::Drawable drawable(const Mesh& mesh, const Head& head)
     const std::size_t n = shape.points.size();
     shape.triangles.push_back({n - 3, n - 2, n - 1});
   };
+  const auto normals = get(CGAL::dynamic_vertex_property_t<Kernel::Vector_3>(), mesh);
+  SC::vertex_normals(mesh, normals);
   for(const auto f : mesh.faces())
   {
     std::array<Mesh::Vertex_index, 3> corners;
@@ -243,8 +244,7 @@ support::Drawable drawable(const Mesh& mesh, const Head& head)
     const bool is_of_one_kind = kinds[std::size_t(corners[0])] == kinds[std::size_t(corners[1])] &&
                                 kinds[std::size_t(corners[0])] == kinds[std::size_t(corners[2])];
     for(const auto v : corners)
-      add_corner(mesh.point(v).transform(head.transformation),
-                 PMP::compute_vertex_normal(v, mesh).transform(head.transformation),
+      add_corner(mesh.point(v).transform(head.transformation), get(normals, v).transform(head.transformation),
                  is_of_one_kind ? kinds[std::size_t(v)] : SKIN);
     add_triangle();
   }
@@ -311,11 +311,7 @@ support::Image picture(const Mesh& mesh, const Head& head, const std::string& ti
 int run(int argc, char* argv[])
 {
   const Command_line c = read(argc, argv);
-  Mesh mesh;
-  if(!CGAL::IO::read_polygon_mesh(c.file, mesh) || mesh.is_empty())
-    throw std::runtime_error(c.file + " can't be read as a mesh");
-  if(!CGAL::is_triangle_mesh(mesh))
-    PMP::triangulate_faces(mesh);
+  const Mesh mesh = support::read_triangle_mesh(c.file);
 
   const Head head = detect(mesh, c);
   std::cout << c.file << " is " << verdict(head) << '\n';

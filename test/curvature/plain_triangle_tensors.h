@@ -3,6 +3,8 @@
 
 #include "estimator_checks.h"
 
+#include "plain_algebra.h"
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -34,7 +36,7 @@ inline Eigen::Matrix3d triangle_tensor(const std::array<Eigen::Vector3d, 3>& p,
     a.row(2 * k + 1) << 0., e.dot(u), e.dot(v);
     b.segment<2>(2 * k) << d.dot(u), d.dot(v);
   }
-  const Eigen::Vector3d x = a.colPivHouseholderQr().solve(b);
+  const Eigen::Vector3d x = test_support::least_squares(a, b);
   return x[0] * u * u.transpose() + x[1] * (u * v.transpose() + v * u.transpose()) + x[2] * v * v.transpose();
 }
 
@@ -45,7 +47,7 @@ inline Eigen::Vector2d eigenvalues(const Eigen::Matrix3d& tensor, const Eigen::V
   basis.col(0) = normal.unitOrthogonal();
   basis.col(1) = normal.cross(basis.col(0));
   const Eigen::Matrix2d m = basis.transpose() * tensor * basis;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m).eigenvalues();
+  return test_support::symmetric_eigenvalues(m);
 }
 
 struct Corner
@@ -101,8 +103,7 @@ inline Eigen::Vector2d rusinkiewicz(const Analytic_surface& s, std::size_t verte
   double weights = 0.;
   for(const Corner& c : corners_at(s, vertex))
   {
-    const Eigen::Matrix3d rotation =
-        Eigen::Quaterniond::FromTwoVectors(face_normal(c), normal).toRotationMatrix();
+    const Eigen::Matrix3d rotation = test_support::shortest_rotation(face_normal(c), normal);
     const double weight = mixed_area(c.points);
     sum += weight * rotation * triangle_tensor(c.points, c.normals, 3) * rotation.transpose();
     weights += weight;

@@ -7,6 +7,8 @@
 
 #include <CGAL/property_map.h>
 
+#include "plain_algebra.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -45,7 +47,7 @@ struct Default_goldfeather_interrante
   }
 };
 
-using Long_matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using test_support::Long_matrix;
 using Long_vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 // The eigenvalues of the fitted second fundamental form, negated, by a decomposition of the equations themselves, in the
@@ -76,10 +78,10 @@ plain_fit(const Analytic_surface& s, std::size_t i, const std::vector<std::uint3
     matrix.row(row) << 0, c * x, c * y, 0, c * x * x, c * 2 * x * y, c * 3 * y * y;
     right_side[row++] = -normal.dot(v);
   }
-  const Long_vector solution = matrix.colPivHouseholderQr().solve(right_side);
+  const Long_vector solution = test_support::least_squares(matrix, right_side);
   Eigen::Matrix2d form;
   form << double(solution[0]), double(solution[1]), double(solution[1]), double(solution[2]);
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(-form / unit).eigenvalues();
+  return test_support::symmetric_eigenvalues(Eigen::Matrix2d(-form / unit));
 }
 
 } // namespace

@@ -10,6 +10,8 @@
 
 #include <CGAL/property_map.h>
 
+#include "plain_algebra.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -99,7 +101,7 @@ struct With_defaults
 };
 
 using Long_vector_3 = Eigen::Matrix<long double, 3, 1>;
-using Long_matrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+using test_support::Long_matrix;
 using Long_vector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 
 Long_vector_3 long_vector(const test_support::Vector& v)
@@ -111,7 +113,7 @@ Eigen::Vector2d eigenvalues(double l, double m, double n)
 {
   Eigen::Matrix2d matrix;
   matrix << l, m, m, n;
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(matrix).eigenvalues();
+  return test_support::symmetric_eigenvalues(matrix);
 }
 
 // The least squares of the changes of the normal, by a decomposition of the equations
@@ -132,7 +134,7 @@ plain_batagelo_wu(const Analytic_surface& s, std::size_t i, const std::vector<st
     side[2 * Eigen::Index(k)] = weight * change.dot(u) / projected.norm();
     side[2 * Eigen::Index(k) + 1] = weight * change.dot(v) / projected.norm();
   }
-  const Long_vector x = matrix.colPivHouseholderQr().solve(side);
+  const Long_vector x = test_support::least_squares(matrix, side);
   return eigenvalues(double(x[0]), double(x[1]), double(x[2]));
 }
 
@@ -171,7 +173,7 @@ plain_razdan_bae(const Analytic_surface& s, std::size_t i, const std::vector<std
     sides.row(k) = q.transpose();
   }
   const Long_matrix control =
-      matrix.colPivHouseholderQr().solve(sides); // all three coordinates, as in the paper
+      test_support::least_squares(matrix, sides); // all three coordinates, as in the paper
   const long double s_0 = -low[0] / (high[0] - low[0]), t_0 = -low[1] / (high[1] - low[1]);
   const auto derivative = [&](const std::array<long double, 3>& a, const std::array<long double, 3>& b)
   {

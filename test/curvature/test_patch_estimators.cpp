@@ -12,6 +12,8 @@
 
 #include <CGAL/boost/graph/helpers.h>
 
+#include "plain_algebra.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -96,7 +98,7 @@ Eigen::Vector2d plain_zhihong(const Analytic_surface& s, std::size_t vertex, con
     const auto d = patch.derivatives(at_vertex ? corner : center);
     const auto k = SC::parametric_surface_curvatures(d.u, d.v, d.uu, d.uv, d.vv);
     const Eigen::Vector3d normal = eigen(d.u).cross(eigen(d.v)).normalized();
-    const Eigen::Matrix3d turn = Eigen::Quaterniond::FromTwoVectors(normal, n).toRotationMatrix();
+    const Eigen::Matrix3d turn = test_support::shortest_rotation(normal, n);
     const Eigen::Vector3d a = turn * eigen(k.min_direction), b = turn * eigen(k.max_direction);
     const Eigen::Vector3d a_b = c.points[1] - c.points[0], a_c = c.points[2] - c.points[0];
     const double longest = std::max({a_b.norm(), a_c.norm(), (a_b - a_c).norm()});
@@ -162,10 +164,10 @@ Eigen::Vector2d plain_boschiroli(const Analytic_surface& s, std::size_t vertex)
     a.row(Eigen::Index(k)) = rows[k].head<3>();
     b[Eigen::Index(k)] = rows[k][3];
   }
-  const Eigen::Vector3d x = a.colPivHouseholderQr().solve(b);
+  const Eigen::Vector3d x = test_support::least_squares(a, b);
   Eigen::Matrix2d m;
   m << x[0], x[1], x[1], x[2];
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(m).eigenvalues();
+  return test_support::symmetric_eigenvalues(m);
 }
 
 std::function<Analytic_surface(unsigned int)> torus(double jitter)

@@ -12,6 +12,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "plain_algebra.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -44,11 +45,11 @@ Eigen::Matrix3d plain_frame(const std::vector<Vector3d>& offsets)
     for(int r = 0; r < 3; ++r)
       for(int c = 0; c < 3; ++c)
         m(r, c) += (1. - d.norm()) * d[r] * d[c];
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU);
+  const Eigen::Matrix3d axes = test_support::left_singular_vectors(m);
   Eigen::Matrix3d frame;
   for(const int k : {0, 2})
   {
-    const Vector3d axis = svd.matrixU().col(k);
+    const Vector3d axis = axes.col(k);
     int sum = 0;
     for(const Vector3d& d : offsets)
       sum += axis.dot(d) > 0. ? 1 : -1;

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/registration/iterative_closest_point.h>
 
 #include "bumpy_ball.h"
+#include "plain_algebra.h"
 
 #include <Eigen/Dense>
 
@@ -177,7 +178,7 @@ BOOST_AUTO_TEST_CASE(a_step_solves_the_least_squares_problem)
     matrix.row(Eigen::Index(i)) *= std::sqrt(t.weight);
     right[Eigen::Index(i)] = -std::sqrt(t.weight) * t.distance;
   }
-  const Eigen::VectorXd x = matrix.colPivHouseholderQr().solve(right);
+  const Eigen::VectorXd x = test_support::least_squares(matrix, right);
   const SC::internal::Plane_distances planes(terms);
   const Eigen::Isometry3d motion = planes.solve();
   for(const auto& t : terms)

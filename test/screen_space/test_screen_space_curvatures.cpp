@@ -6,6 +6,7 @@
 #include <Shape_characteristics/screen_space/sphere_fit_mean_curvatures.h>
 
 #include "analytic_scenes.h"
+#include "plain_algebra.h"
 
 #include <Eigen/Dense>
 
@@ -115,10 +116,10 @@ plain_triangle(const std::array<Eigen::Vector3d, 3>& p, const std::array<Eigen::
     b[2 * i] = d.dot(u);
     b[2 * i + 1] = d.dot(v);
   }
-  const Eigen::VectorXd x = a.colPivHouseholderQr().solve(b);
+  const Eigen::VectorXd x = test_support::least_squares(a, b);
   Eigen::Matrix2d w;
   w << x[0], x[1], x[1], x[2];
-  const Eigen::Vector2d k = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(w).eigenvalues();
+  const Eigen::Vector2d k = test_support::symmetric_eigenvalues(w);
   return {k[0], k[1]};
 }
 

@@ -69,7 +69,7 @@ public:
     /// definite basis functions with inexact normals)
     double noise_level = 1e-6;
     /// standard deviation of the components of the unit normals (in the same cases)
-    double normal_noise_level = std::sqrt(internal::Noisy_fit_attempts::first_derivative_variance);
+    double normal_noise_level = internal::Noisy_fit_attempts::default_normal_noise_level;
     /// box for `Exponential_cubic`
     Shape_parameter_box box = Shape_parameter_box::AXIS_ALIGNED;
     /// where to average, in units of `pattern_radius`; empty: at the sample alone (other basis functions)
@@ -142,8 +142,8 @@ public:
     set_up_noisy(workspace);
     const double variance =
         (std::max)(noise_level * noise_level, internal::nugget(workspace.neighborhood.rounding_error));
-    return workspace.system.solve_positive_definite(variance,
-                                                    internal::Noisy_fit_attempts::first_derivative_variance)
+    constexpr double normal_noise = internal::Noisy_fit_attempts::default_normal_noise_level;
+    return workspace.system.solve_positive_definite(variance, normal_noise * normal_noise)
                ? workspace.system.log_likelihood()
                : std::numeric_limits<double>::quiet_NaN();
   }

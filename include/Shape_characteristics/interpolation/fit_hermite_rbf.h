@@ -163,7 +163,7 @@ public:
                              Shape_parameter_box::AXIS_ALIGNED);
     m_noise_level = choose_parameter(get_parameter(np, internal_np::noise_level), -1.);
     m_normal_noise_level = choose_parameter(get_parameter(np, internal_np::normal_noise_level),
-                                            std::sqrt(Noisy_fit_attempts::first_derivative_variance));
+                                            Noisy_fit_attempts::default_normal_noise_level);
     if(!(m_normal_noise_level >= 0. && std::isfinite(m_normal_noise_level)))
       throw std::invalid_argument(
           "Shape_characteristics: normal_noise_level must be finite and not negative");

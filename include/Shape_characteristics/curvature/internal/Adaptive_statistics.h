@@ -6,6 +6,7 @@
 #include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
+#include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
@@ -143,10 +144,10 @@ public:
         field = fit_exact(3);
         break;
       case Choice::POINTS_2_RINGS:
-        field = fit_inexact(2, 0., default_normal_noise, 1);
+        field = fit_inexact(2, 0., default_normal_noise(), 1);
         break;
       case Choice::POINTS_3_RINGS:
-        field = fit_inexact(3, 0., default_normal_noise, 1);
+        field = fit_inexact(3, 0., default_normal_noise(), 1);
         break;
       case Choice::POINTS_4_RINGS:
         // a basis function without a limit to its smoothness
@@ -157,10 +158,10 @@ public:
         field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
         break;
       case Choice::SMOOTHED_3_RINGS:
-        field = fit_inexact(3, noise_level(), default_normal_noise, 2);
+        field = fit_inexact(3, noise_level(), default_normal_noise(), 2);
         break;
       default:
-        field = fit_inexact(4, noise_level(), default_normal_noise, 2);
+        field = fit_inexact(4, noise_level(), default_normal_noise(), 2);
       }
     }
     return field;
@@ -176,7 +177,7 @@ public:
 
 private:
   static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
-  static constexpr double default_normal_noise = .31622776601683794, trusted_normal_noise = 1e-3;
+  static constexpr double trusted_normal_noise = 1e-3;
 
   struct Nothing
   {};
@@ -202,6 +203,11 @@ private:
             sum += ((m_surface.point(neighbors[k]) - m_surface.point(i)) / largest).squaredNorm();
           m_sizes[i] = nearest > 0 ? largest * std::sqrt(sum / double(nearest)) : 0.;
         });
+  }
+
+  static double default_normal_noise()
+  {
+    return typename Local_hermite_rbf<SampledSurface, Matern_9_2>::Options().normal_noise_level;
   }
 
   Fitted_field fit_exact(unsigned int rings)

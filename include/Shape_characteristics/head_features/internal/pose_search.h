@@ -300,9 +300,11 @@ public:
     // a face of which a side is missing may have a plane elsewhere
     if(mirror.normal.dot(place.rotation.col(0)) < .99 || std::abs(mirror.height(middle)) > .05 * place.scale)
       return place;
-    place.rotation =
-        Eigen::Quaterniond::FromTwoVectors(place.rotation.col(0), mirror.normal).toRotationMatrix() *
-        place.rotation;
+    // not Quaterniond::FromTwoVectors(): it takes a compiler longer than all the rest of this header
+    const Eigen::Vector3d axis = place.rotation.col(0).cross(mirror.normal);
+    if(const double sine = axis.norm(); sine > 0.)
+      place.rotation =
+          Eigen::AngleAxisd(std::asin((std::min)(sine, 1.)), axis / sine).toRotationMatrix() * place.rotation;
     place.translation -= mirror.height(place.translation) * mirror.normal;
     return place;
   }

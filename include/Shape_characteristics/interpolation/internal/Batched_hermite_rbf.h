@@ -76,7 +76,7 @@ public:
   {
     bool normals_are_exact = false;
     double noise_level = 1e-6; // see Local_hermite_rbf
-    double normal_noise_level = std::sqrt(Noisy_fit_attempts::first_derivative_variance);
+    double normal_noise_level = Noisy_fit_attempts::default_normal_noise_level;
     bool fits_are_shared = true;
   };
 

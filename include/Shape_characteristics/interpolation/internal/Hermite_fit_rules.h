@@ -124,13 +124,12 @@ public:
   // noise_level: in units of the size of the nearest neighbors; normal_noise_level: of a component of the normals
   Noisy_fit_attempts(const Scaled_neighborhood& neighborhood,
                      double noise_level,
-                     double normal_noise_level = std::sqrt(first_derivative_variance))
+                     double normal_noise_level = default_normal_noise_level)
   {
     const double noise = noise_level * neighborhood.nearest_size;
     m_value_variance = (std::max)(noise * noise, nugget(neighborhood.rounding_error));
-    if(normal_noise_level != std::sqrt(first_derivative_variance)) // the default keeps its bits
-      m_derivative_variance =
-          (std::max)(normal_noise_level * normal_noise_level, nugget(neighborhood.rounding_error));
+    m_derivative_variance =
+        (std::max)(normal_noise_level * normal_noise_level, nugget(neighborhood.rounding_error));
   }
 
   double value_variance() const { return m_value_variance; }
@@ -164,14 +163,14 @@ public:
     return ++m_failures < s_attempts;
   }
 
-  static constexpr double first_derivative_variance =
-      0.1; // estimated normals: weak evidence beside good positions
+  // estimated normals are weak evidence beside good positions: a variance of .1
+  static constexpr double default_normal_noise_level = .31622776601683794;
 
 private:
   static constexpr int s_attempts = 9; // with noise levels that are ever farther from the given ones
   static constexpr double s_largest_curvature = 4.;
 
-  double m_value_variance = 0., m_derivative_variance = first_derivative_variance;
+  double m_value_variance = 0., m_derivative_variance = 0.;
   int m_failures = 0;
 };
 
