@@ -13,7 +13,9 @@ target_link_libraries(Shape_characteristics_development INTERFACE
   Shape_characteristics::Shape_characteristics
   $<TARGET_NAME_IF_EXISTS:Shape_characteristics::TBB_support>)
 target_compile_options(Shape_characteristics_development INTERFACE
-  -Wall -Wextra $<$<BOOL:${SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS}>:-Werror>)
+  -Wall -Wextra $<$<BOOL:${SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS}>:-Werror>
+  # GCC looks for garbage in what is precompiled again and again, a tenth of its time
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1500000>)
 target_compile_definitions(Shape_characteristics_development INTERFACE
   SHAPE_CHARACTERISTICS_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}"
   CGAL_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}") # where CGAL::data_file_path() looks

@@ -40,11 +40,11 @@ configure()
 build() { cmake --build --preset "$1" --parallel "$(parallel_jobs)" ${2:+--target "$2"}; }
 run_tests() { ctest --preset "$1" --parallel "$(parallel_jobs)"; }
 
-# As many as there are processors, as far as memory goes: a compiler that reads CGAL and Eigen takes up to 1.5 GB.
+# As many as there are processors, as far as memory goes: a compiler that reads CGAL and Eigen takes up to 2 GB.
 parallel_jobs()
 {
   local processors memory
   processors=$(nproc)
-  memory=$(awk '/^MemAvailable:/ { print int($2 / 1500000) }' /proc/meminfo)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo)
   echo $(( memory < 1 ? 1 : memory < processors ? memory : processors ))
 }

@@ -361,5 +361,7 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   const Octree cube({3, 3, 3}, o, {1., 1., 1.}, full), nothing({0, 0, 0}, o, {1., 1., 1.}, full);
   BOOST_TEST(cube.surface_points().size() == 54u);
   BOOST_TEST(std::abs(cube.volume_in_ball(o, 10.) - 27.) < 1e-12);
+  BOOST_TEST(std::abs(cube.volume_in_ball(o, 1e200) - 27.) < 1e-12);
+  BOOST_CHECK_THROW(cube.volume_in_ball(o, 1e-200), std::invalid_argument);
   BOOST_TEST(nothing.volume_in_ball(o, 10.) == 0.);
 }
