@@ -159,9 +159,9 @@ private:
     for(std::size_t j = 0; j < m_target_rows.size(); ++j)
     {
       m_b_norms[j] = copy_row(m_target, m_target_rows[j]);
-      float* column = m_b.data() + j / panel * panel * m_dimension + j % panel;
+      const std::size_t column = j / panel * panel * m_dimension + j % panel;
       for(std::size_t k = 0; k < m_dimension; ++k)
-        column[k * panel] = copy[k];
+        m_b[column + k * panel] = copy[k];
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -23,7 +24,7 @@ public:
   Point_grid(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& origin, double reach)
     : m_points(points),
       m_origin(origin),
-      m_reach(reach),
+      m_reach((std::max)(reach, (std::numeric_limits<double>::min)())), // 0 where all points are one
       m_next(points.size(), none)
   {
     std::size_t size = 64;
