@@ -362,6 +362,6 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_TEST(cube.surface_points().size() == 54u);
   BOOST_TEST(std::abs(cube.volume_in_ball(o, 10.) - 27.) < 1e-12);
   BOOST_TEST(std::abs(cube.volume_in_ball(o, 1e200) - 27.) < 1e-12);
-  BOOST_CHECK_THROW(cube.volume_in_ball(o, 1e-200), std::invalid_argument);
+  BOOST_TEST(cube.volume_in_ball(o, 1e-200) == 0.); // what is left of 1e-600
   BOOST_TEST(nothing.volume_in_ball(o, 10.) == 0.);
 }

@@ -99,8 +99,7 @@ public:
 
     \param center the center of the ball
     \param radius its radius
-    \throws std::invalid_argument if the radius is not positive, anything is not finite, or a voxel is more than
-            \f$ 10^{100} \f$ times as long as the radius
+    \throws std::invalid_argument if the radius is not positive, or anything is not finite
   */
   template <typename Point_3>
   double volume_in_ball(const Point_3& center, double radius) const
@@ -109,9 +108,7 @@ public:
                             CGAL::to_double(center.z()));
     if(!(radius > 0. && std::isfinite(radius)) || !c.allFinite())
       throw std::invalid_argument("Shape_characteristics: the ball must be finite, and its radius positive");
-    if(!(m_spacing.maxCoeff() / radius <= 1e100))
-      throw std::invalid_argument("Shape_characteristics: the ball is too small beside the voxels");
-    // a larger ball than one that holds the grid holds no more, and its cube may be infinite
+    // a larger ball than one that holds the grid holds no more, but the share of it that is filled becomes 0
     const Eigen::Vector3d extent =
         m_spacing.cwiseProduct(Eigen::Vector3d(double(m_size[0]), double(m_size[1]), double(m_size[2])));
     const double r = (std::min)(radius, 2. * ((c - m_origin).cwiseAbs() + extent).stableNorm());
