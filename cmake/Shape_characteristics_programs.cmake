@@ -4,6 +4,7 @@
 # Shape_characteristics_OpenMesh       OpenMesh, where it is found
 # Shape_characteristics_precompiled    precompiled/: headers of other libraries, and what takes long to compile of them
 # shape_characteristics_add_program()  one program from one source file
+# shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
 set(SHAPE_CHARACTERISTICS_SANITIZERS "" CACHE STRING "What to sanitize: address,undefined or thread")

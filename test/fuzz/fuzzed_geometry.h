@@ -5,6 +5,10 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -14,6 +18,11 @@
 #include <string>
 
 namespace fuzz {
+
+#ifdef CGAL_LINKED_WITH_TBB
+// What is tried next depends on what the code went through before: with several threads, on chance.
+inline const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+#endif
 
 // A number of any kind: usual, on a small grid, or any bits at all (infinite, NaN, denormal, huge).
 inline double number(FuzzedDataProvider& data)
