@@ -30,6 +30,10 @@ finish()
   exit $failed
 }
 
+# Ninja compiles a program while the libraries that it is linked with are being built: make waits. (Where a folder was
+# configured for another, that stays.)
+command -v ninja > /dev/null && export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
+
 # configure <preset>, build <preset> [target], run_tests <preset>
 configure()
 {

@@ -105,7 +105,7 @@ std::vector<Row> rows()
   for(int i = 0; i < 50; ++i)
     line.push_back({Point_3(.31 * i, -.77 * i, .55 * i), Vector_3(1., 2., 0.)});
   coincident.insert(coincident.end(), 30, coincident[middle]);
-  stack.insert(stack.end(), 3000, {stack[middle].point, Vector_3(1., 0., 1.)});
+  stack.insert(stack.end(), 1000, {stack[middle].point, Vector_3(1., 0., 1.)});
   for(std::size_t i = 0; i < half_flipped.size(); i += 2)
     half_flipped[i].normal = -half_flipped[i].normal;
   for(const double z : {0., -.01})
@@ -300,29 +300,30 @@ BOOST_AUTO_TEST_CASE(sphere_is_umbilic)
 BOOST_AUTO_TEST_CASE(scaling)
 {
   const Point_set points = sheet();
-  for(const double scale : {1e-6, 1e6, 0x1p-200, 0x1p200})
+  for(const Point_estimator& estimator : all_estimators)
   {
-    const Point_set scaled =
-        moved(points, [&](const Point_3& p) { return Point_3(scale * p.x(), scale * p.y(), scale * p.z()); });
-    for(const Point_estimator& estimator : all_estimators)
-      if(estimator.gives_curvatures)
-        BOOST_TEST_CONTEXT("times " << scale << ", " << estimator.name)
+    if(!estimator.gives_curvatures)
+      continue;
+    const Results a = estimator.all(points);
+    double size = 0.;
+    for(const Estimate& e : a.samples)
+      size = std::max(size, SC::is_estimated(e.status) ? largest(e) : 0.);
+    for(const double scale : {1e-6, 1e6, 0x1p-200, 0x1p200})
+      BOOST_TEST_CONTEXT("times " << scale << ", " << estimator.name)
+      {
+        const Results b = estimator.all(moved(
+            points, [&](const Point_3& p) { return Point_3(scale * p.x(), scale * p.y(), scale * p.z()); }));
+        for(std::size_t i = 0; i < points.size(); ++i)
         {
-          const Results a = estimator.all(points), b = estimator.all(scaled);
-          double size = 0.;
-          for(const Estimate& e : a.samples)
-            size = std::max(size, SC::is_estimated(e.status) ? largest(e) : 0.);
-          for(std::size_t i = 0; i < points.size(); ++i)
-          {
-            BOOST_REQUIRE((a.samples[i].status == b.samples[i].status));
-            if(!SC::is_estimated(a.samples[i].status))
-              continue;
-            BOOST_TEST(std::abs(b.samples[i].k_min() * scale - a.samples[i].k_min()) <=
-                       estimator.reproducibility * size);
-            BOOST_TEST(std::abs(b.samples[i].k_max() * scale - a.samples[i].k_max()) <=
-                       estimator.reproducibility * size);
-          }
+          BOOST_REQUIRE((a.samples[i].status == b.samples[i].status));
+          if(!SC::is_estimated(a.samples[i].status))
+            continue;
+          BOOST_TEST(std::abs(b.samples[i].k_min() * scale - a.samples[i].k_min()) <=
+                     estimator.reproducibility * size);
+          BOOST_TEST(std::abs(b.samples[i].k_max() * scale - a.samples[i].k_max()) <=
+                     estimator.reproducibility * size);
         }
+      }
   }
 }
 
@@ -396,15 +397,16 @@ BOOST_AUTO_TEST_CASE(flipped_normals)
 BOOST_AUTO_TEST_CASE(length_of_normals)
 {
   const Point_set points = sheet();
-  for(const double factor : {0x1p-1000, 0x1p1000})
+  for(const Point_estimator& estimator : all_estimators)
   {
-    Point_set scaled = points;
-    for(Oriented_point& p : scaled)
-      p.normal = factor * p.normal;
-    for(const Point_estimator& estimator : all_estimators)
+    const Results a = estimator.all(points);
+    for(const double factor : {0x1p-1000, 0x1p1000})
       BOOST_TEST_CONTEXT("normals times " << factor << ", " << estimator.name)
       {
-        const Results a = estimator.all(points), b = estimator.all(scaled);
+        Point_set scaled = points;
+        for(Oriented_point& p : scaled)
+          p.normal = factor * p.normal;
+        const Results b = estimator.all(scaled);
         for(std::size_t i = 0; i < points.size(); ++i)
           BOOST_TEST(same(a.samples[i], b.samples[i]), "point " << i);
       }

@@ -12,12 +12,6 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/iterator.h>
-#ifdef CGAL_USE_OPENMESH
-#include <OpenMesh/Core/IO/MeshIO.hh>
-#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
-// after OpenMesh's own
-#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
-#endif
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
@@ -55,14 +49,6 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
-#ifdef CGAL_USE_OPENMESH
-struct Double_traits : OpenMesh::DefaultTraits
-{
-  using Point = OpenMesh::Vec3d;
-  using Normal = OpenMesh::Vec3d;
-};
-using OpenMesh_mesh = OpenMesh::PolyMesh_ArrayKernelT<Double_traits>;
-#endif
 
 struct Result
 {
@@ -420,7 +406,7 @@ void check_permutation(const Estimator& estimator)
     }
 }
 
-// one result, bit for bit, on all types of meshes
+// one result, bit for bit, on CGAL's types of meshes
 template <typename Estimator>
 void check_mesh_types(const Estimator& estimator)
 {
@@ -433,11 +419,6 @@ void check_mesh_types(const Estimator& estimator)
       BOOST_TEST(
           same_bits(expected, run(estimator, test_support::build_mesh<Polyhedron_with_ids>(s), s, normals)),
           s.name);
-#ifdef CGAL_USE_OPENMESH
-      BOOST_TEST(
-          same_bits(expected, run(estimator, test_support::build_openmesh<OpenMesh_mesh>(s), s, normals)),
-          s.name);
-#endif
     }
 }
 

@@ -1,0 +1,109 @@
+#define BOOST_TEST_MODULE openmesh
+#include <boost/test/unit_test.hpp>
+
+#ifdef CGAL_USE_OPENMESH
+#include <OpenMesh/Core/IO/MeshIO.hh>
+#include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
+// after OpenMesh's own
+#include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
+#endif
+
+#include "estimator_checks.h"
+
+#include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
+#include <Shape_characteristics/curvature/meyer_curvatures.h>
+#include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
+#include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
+#include <Shape_characteristics/curvature/tangent_space_curvatures.h>
+
+#include <stdexcept>
+#include <vector>
+
+using namespace estimator_checks;
+
+// A mesh that isn't CGAL's: one estimator of each way to look at a mesh. (One program for all: OpenMesh takes the compiler
+// longer than an estimator does.)
+namespace {
+
+enum class Method
+{
+  HRBF,                // neighbors
+  INTEGRAL_INVARIANTS, // a ball's surface
+  MEYER,               // one ring
+  NORMAL_CYCLE,        // triangles within a ball
+  RUSINKIEWICZ,        // triangles, then vertices
+  TANGENT_SPACE        // edges
+};
+
+struct Estimator
+{
+  Method method;
+
+  template <typename Tag, typename Mesh, typename Np>
+  std::size_t all(const Mesh& mesh, const Np& np) const
+  {
+    switch(method)
+    {
+    case Method::HRBF:
+      return SC::hrbf_curvatures<Tag>(mesh, np);
+    case Method::INTEGRAL_INVARIANTS:
+      return SC::integral_invariant_curvatures<Tag>(mesh, np);
+    case Method::MEYER:
+      return SC::meyer_curvatures<Tag>(mesh, np);
+    case Method::NORMAL_CYCLE:
+      return SC::normal_cycle_curvatures<Tag>(mesh, np);
+    case Method::RUSINKIEWICZ:
+      return SC::rusinkiewicz_curvatures<Tag>(mesh, np);
+    default:
+      return SC::tangent_space_curvatures<Tag>(mesh, np);
+    }
+  }
+};
+
+#ifdef CGAL_USE_OPENMESH
+struct Double_traits : OpenMesh::DefaultTraits
+{
+  using Point = OpenMesh::Vec3d;
+  using Normal = OpenMesh::Vec3d;
+};
+using OpenMesh_mesh = OpenMesh::PolyMesh_ArrayKernelT<Double_traits>;
+
+OpenMesh_mesh openmesh_of(const Analytic_surface& surface)
+{
+  OpenMesh_mesh mesh;
+  std::vector<OpenMesh_mesh::VertexHandle> vertices, corners;
+  for(const auto& p : surface.points)
+    vertices.push_back(mesh.add_vertex(OpenMesh_mesh::Point(p[0], p[1], p[2])));
+  for(const auto& t : surface.triangles)
+  {
+    corners.clear();
+    for(const std::size_t i : t)
+      corners.push_back(vertices[i]);
+    if(!mesh.add_face(corners).is_valid())
+      throw std::runtime_error("a face can't be added");
+  }
+  return mesh;
+}
+#endif
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(equals_a_surface_mesh_to_the_last_bit)
+{
+#ifdef CGAL_USE_OPENMESH
+  for(const Analytic_surface& s : typical_surfaces())
+    for(const Normals normals : {Normals::EXACT, Normals::ESTIMATED})
+      for(const Method method : {Method::HRBF, Method::INTEGRAL_INVARIANTS, Method::MEYER,
+                                 Method::NORMAL_CYCLE, Method::RUSINKIEWICZ, Method::TANGENT_SPACE})
+        BOOST_TEST_CONTEXT(s.name << ", method " << int(method))
+        {
+          const Result expected = run(Estimator{method}, s, normals),
+                       result = run(Estimator{method}, openmesh_of(s), s, normals);
+          BOOST_TEST(expected.failures < s.points.size());
+          BOOST_TEST(same_bits(expected, result));
+        }
+#else
+  BOOST_TEST_MESSAGE("  skipped: built without OpenMesh");
+#endif
+}
