@@ -5,6 +5,7 @@
 # Shape_characteristics_precompiled    precompiled/: headers of other libraries, and what takes long to compile of them
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
+# shape_characteristics_do_not_sanitize()  a source file of other libraries' code
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
 set(SHAPE_CHARACTERISTICS_SANITIZERS "" CACHE STRING "What to sanitize: address,undefined or thread")
@@ -26,17 +27,24 @@ if(SHAPE_CHARACTERISTICS_SANITIZERS)
   # (misaligned).
   target_compile_options(Shape_characteristics_development INTERFACE
     -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS}
-    -fno-sanitize=alignment,null,object-size,vptr$<$<CXX_COMPILER_ID:Clang>:,function>
+    -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr$<$<CXX_COMPILER_ID:Clang>:,function>
     -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(Shape_characteristics_development INTERFACE
     -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS})
 endif()
+
+function(shape_characteristics_do_not_sanitize source)
+  if(SHAPE_CHARACTERISTICS_SANITIZERS)
+    set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -fno-sanitize=all SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
 
 add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL
   ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp)
 target_include_directories(Shape_characteristics_precompiled INTERFACE ${CMAKE_CURRENT_LIST_DIR}/precompiled)
 target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
 target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
+shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp)
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
 find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh)

@@ -141,6 +141,19 @@ BOOST_AUTO_TEST_CASE(range_of_double)
   }
 }
 
+// The squares of what distinguishes the curvatures vanish beside a curvature of any size.
+BOOST_AUTO_TEST_CASE(almost_umbilic)
+{
+  for(const double curvature : {0., 1e-90, -1., 1e90})
+    for(double m = 5e-324; m < 1e-120; m *= 7.)
+      for(const double sign : {1., -1.})
+      {
+        const internal::Shape_operator_eigen e = eigen_of(curvature, sign * m, curvature);
+        BOOST_TEST(frame_error(e, z_axis) < 1e-15, "curvature " << curvature << ", m " << m);
+        BOOST_TEST(std::abs(e.max_direction[0] - sign * e.max_direction[1]) < 1e-15);
+      }
+}
+
 BOOST_AUTO_TEST_CASE(non_finite_input_gives_nan_only)
 {
   const double inf = std::numeric_limits<double>::infinity(),

@@ -8,6 +8,7 @@
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
 #endif
 
+#include "build_openmesh.h"
 #include "estimator_checks.h"
 
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
@@ -17,8 +18,7 @@
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 
-#include <stdexcept>
-#include <vector>
+#include <cstddef>
 
 using namespace estimator_checks;
 
@@ -68,23 +68,6 @@ struct Double_traits : OpenMesh::DefaultTraits
   using Normal = OpenMesh::Vec3d;
 };
 using OpenMesh_mesh = OpenMesh::PolyMesh_ArrayKernelT<Double_traits>;
-
-OpenMesh_mesh openmesh_of(const Analytic_surface& surface)
-{
-  OpenMesh_mesh mesh;
-  std::vector<OpenMesh_mesh::VertexHandle> vertices, corners;
-  for(const auto& p : surface.points)
-    vertices.push_back(mesh.add_vertex(OpenMesh_mesh::Point(p[0], p[1], p[2])));
-  for(const auto& t : surface.triangles)
-  {
-    corners.clear();
-    for(const std::size_t i : t)
-      corners.push_back(vertices[i]);
-    if(!mesh.add_face(corners).is_valid())
-      throw std::runtime_error("a face can't be added");
-  }
-  return mesh;
-}
 #endif
 
 } // namespace
@@ -99,7 +82,8 @@ BOOST_AUTO_TEST_CASE(equals_a_surface_mesh_to_the_last_bit)
         BOOST_TEST_CONTEXT(s.name << ", method " << int(method))
         {
           const Result expected = run(Estimator{method}, s, normals),
-                       result = run(Estimator{method}, openmesh_of(s), s, normals);
+                       result =
+                           run(Estimator{method}, test_support::build_openmesh<OpenMesh_mesh>(s), s, normals);
           BOOST_TEST(expected.failures < s.points.size());
           BOOST_TEST(same_bits(expected, result));
         }

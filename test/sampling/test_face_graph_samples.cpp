@@ -20,6 +20,7 @@
 #include "analytic_surfaces.h"
 #include "bad_meshes.h"
 #include "build_mesh.h"
+#include "build_openmesh.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
