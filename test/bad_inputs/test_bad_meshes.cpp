@@ -41,7 +41,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 Polygon_arrays arrays(const Analytic_surface& s)
 {
-  return test_support::internal::polygons(s.name, s);
+  return test_support::polygons(s.name, s);
 }
 
 Mesh mesh_of(const Polygon_arrays& a)
@@ -457,7 +457,7 @@ BOOST_AUTO_TEST_CASE(opposite_duplicate_faces)
 {
   const Polygon_arrays sheet = arrays(waves(.1, 4., 1., 8, .15));
   Polygon_arrays twice = sheet;
-  test_support::internal::append(twice, flipped(sheet));
+  test_support::append(twice, flipped(sheet));
   const Mesh one = mesh_of(sheet), two = mesh_of(twice);
   const std::size_t n = sheet.points.size();
   for(const Mesh_estimator& estimator : all_estimators)
@@ -517,7 +517,7 @@ BOOST_AUTO_TEST_CASE(components_are_independent)
 {
   const Polygon_arrays a = arrays(sphere(1., 2, .15)), b = arrays(waves(.1, 4., 1., 8, .15));
   Polygon_arrays together = a;
-  test_support::internal::append(together, b);
+  test_support::append(together, b);
   const Mesh mesh_a = mesh_of(a), mesh_b = mesh_of(b), mesh = mesh_of(together);
   for(const Mesh_estimator& estimator : all_estimators)
     if(estimator.is_local)

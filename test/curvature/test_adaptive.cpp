@@ -8,6 +8,9 @@
 #include <Shape_characteristics/normals/vertex_normals.h>
 
 #include <CGAL/property_map.h>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -65,7 +68,7 @@ struct Data
       for(auto& p : moved.points)
         for(std::size_t i = 0; i < 3; ++i)
           p[i] += deviation * normal(random);
-    mesh = test_support::build_mesh<Surface_mesh>(moved);
+    mesh = surface_mesh_of(moved);
     normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("v:given_normal").first;
     if(given == Given::ESTIMATED)
       SC::vertex_normals(mesh, normals);
@@ -339,7 +342,7 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
 BOOST_AUTO_TEST_CASE(callback)
 {
   const Surface_mesh mesh =
-      test_support::build_mesh<Surface_mesh>(test_support::torus(1., .4, 36, 18, .2, 6));
+      surface_mesh_of(test_support::torus(1., .4, 36, 18, .2, 6));
   std::vector<double> advancements;
   BOOST_TEST(SC::adaptive_curvatures<CGAL::Sequential_tag>(mesh, SC::parameters::callback(
                                                                      [&](const double t)

@@ -117,7 +117,7 @@ void check_estimator(const Estimator& estimator, const Full& full)
   for(const Analytic_surface& s : surfaces())
     BOOST_TEST_CONTEXT(s.name)
     {
-      Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+      Surface_mesh mesh = surface_mesh_of(s);
       Maps maps(mesh, "");
       const auto np = maps.parameters();
       SC::Dynamic_curvatures<Surface_mesh, Estimator, std::decay_t<decltype(np)> > dynamic(mesh, estimator,
@@ -172,7 +172,7 @@ BOOST_AUTO_TEST_CASE(rusinkiewicz)
 {
   for(const Analytic_surface& s : surfaces())
   {
-    Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+    Surface_mesh mesh = surface_mesh_of(s);
     Maps maps(mesh, "");
     const auto np = maps.parameters();
     SC::Dynamic_rusinkiewicz_curvatures<Surface_mesh, std::decay_t<decltype(np)> > dynamic(mesh, np);
@@ -186,7 +186,7 @@ BOOST_AUTO_TEST_CASE(rusinkiewicz)
 BOOST_AUTO_TEST_CASE(frames)
 {
   const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 6);
-  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  Surface_mesh mesh = surface_mesh_of(s);
   Maps maps(mesh, ""), whole(mesh, " of the whole");
   const auto np = maps.parameters();
   SC::Dynamic_rusinkiewicz_curvatures<Surface_mesh, std::decay_t<decltype(np)>, CGAL::Sequential_tag>
@@ -214,7 +214,7 @@ BOOST_AUTO_TEST_CASE(frames)
 BOOST_AUTO_TEST_CASE(given_normals)
 {
   const Analytic_surface s = test_support::torus(1., .4, 24, 12, .2, 6);
-  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  Surface_mesh mesh = surface_mesh_of(s);
   auto normals = mesh.add_property_map<Vertex, Kernel::Vector_3>("v:normal").first;
   for(const Vertex v : mesh.vertices())
     normals[v] =
@@ -251,7 +251,7 @@ BOOST_AUTO_TEST_CASE(given_normals)
 // far from what moved, nothing is done
 BOOST_AUTO_TEST_CASE(updates_are_local)
 {
-  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(test_support::torus(1., .4, 96, 48));
+  Surface_mesh mesh = surface_mesh_of(test_support::torus(1., .4, 96, 48));
   const auto estimator = [](auto v, const auto& m, const auto& np)
   { return SC::rusinkiewicz_curvatures(v, m, np); };
   SC::Dynamic_curvatures<Surface_mesh, std::decay_t<decltype(estimator)> > any(mesh, estimator);

@@ -91,7 +91,7 @@ BOOST_AUTO_TEST_CASE(equals_a_plain_fit)
   for(const Analytic_surface& s : typical_surfaces())
     for(const unsigned int rings : {1u, 2u, 3u})
     {
-      const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+      const Surface_mesh mesh = surface_mesh_of(s);
       const Result result = run(Goldfeather_interrante{rings}, mesh, s, Normals::EXACT);
       const SC::Face_graph_samples samples =
           SC::sampled_surface<CGAL::Sequential_tag>(mesh, SC::Neighborhood::rings(rings));

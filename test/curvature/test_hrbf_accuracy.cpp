@@ -263,7 +263,7 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_system_of_the_thesis)
       {test_support::torus(1., .4, 24, 12, .2, 6), test_support::waves(.1, 4., 1., 12, .2, 4),
        test_support::ellipsoid(10., 8., 6., 2, .2, 5)})
   {
-    const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+    const Surface_mesh mesh = surface_mesh_of(s);
     const Result result = run(cubic_exact, mesh, s, Normals::EXACT);
     const SC::Face_graph_samples samples(mesh, mesh.points(), SC::Neighborhood::rings(2));
     SC::Face_graph_samples::Workspace workspace;

@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE(callback)
 BOOST_AUTO_TEST_CASE(point_set_equals_mesh)
 {
   const Analytic_surface s = test_support::ellipsoid(1., .8, .6, 3, .2, 5);
-  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  const Surface_mesh mesh = surface_mesh_of(s);
   Cloud cloud(s, exact_normals(s));
   const double radius = 2.2 * s.mean_edge_length();
 
@@ -252,7 +252,7 @@ struct Other_curvatures
 BOOST_AUTO_TEST_CASE(outputs)
 {
   const Analytic_surface s = test_support::monkey_saddle(.5, 8, .2, 7);
-  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  Surface_mesh mesh = surface_mesh_of(s);
   const Result expected = run(by_default, mesh, s, Normals::ESTIMATED);
 
   // each by itself, of types of their own
@@ -317,7 +317,7 @@ BOOST_AUTO_TEST_CASE(cancelled)
 BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
 {
   const Analytic_surface s = test_support::sphere(1., 1);
-  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  const Surface_mesh mesh = surface_mesh_of(s);
   const double quiet_nan = std::numeric_limits<double>::quiet_NaN();
   const auto names = [](const char* parameter)
   {

@@ -52,7 +52,7 @@ BOOST_AUTO_TEST_CASE(equals_a_direct_call)
         transformed(original, 1. / original.mean_edge_length(), Eigen::Matrix3d::Identity(), {0., 0., 0.});
     for(const double radius : {-1., 1.7})
     {
-      Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+      Surface_mesh mesh = surface_mesh_of(s);
       auto normals = mesh.add_property_map<Surface_mesh::Vertex_index, Kernel::Vector_3>("v:n").first;
       for(const auto v : mesh.vertices())
         normals[v] = {s.exact[v].normal[0], s.exact[v].normal[1], s.exact[v].normal[2]};
@@ -187,7 +187,7 @@ BOOST_AUTO_TEST_CASE(callback)
 
 BOOST_AUTO_TEST_CASE(bad_parameters)
 {
-  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(test_support::sphere(1., 1));
+  const Surface_mesh mesh = surface_mesh_of(test_support::sphere(1., 1));
   for(const double radius : {0., -2., std::nan(""), HUGE_VAL})
     BOOST_CHECK_EXCEPTION(SC::interpolated_corrected_curvatures(mesh, SC::parameters::ball_radius(radius)),
                           std::invalid_argument,

@@ -101,7 +101,7 @@ BOOST_AUTO_TEST_CASE(equals_a_direct_call)
   for(const Analytic_surface& s : typical_surfaces())
     for(const int degree : {2, 3, 4})
     {
-      const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+      const Surface_mesh mesh = surface_mesh_of(s);
       const Result result = run(Jet_fitting{degree, 2}, mesh, s, Normals::EXACT);
       const SC::Face_graph_samples samples =
           SC::sampled_surface<CGAL::Sequential_tag>(mesh, SC::Neighborhood::rings(2));
@@ -272,7 +272,7 @@ BOOST_AUTO_TEST_CASE(points_that_determine_no_surface)
 
 BOOST_AUTO_TEST_CASE(bad_parameters)
 {
-  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(test_support::sphere(1., 1));
+  const Surface_mesh mesh = surface_mesh_of(test_support::sphere(1., 1));
   const auto names_degree = [](const std::invalid_argument& e)
   { return std::string(e.what()).find("degree_fitting") != std::string::npos; };
   for(const int degree : {-1, 0, 1, 13})

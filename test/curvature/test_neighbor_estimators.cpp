@@ -262,7 +262,7 @@ BOOST_AUTO_TEST_CASE(equal_plain_implementations)
   for(const Analytic_surface& s : typical_surfaces())
     for(const unsigned int rings : {1u, 2u})
     {
-      const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+      const Surface_mesh mesh = surface_mesh_of(s);
       const auto result = [&](Method m) {
         return run(Neighbor_estimator{m, rings}, mesh, s, Normals::EXACT);
       };
@@ -453,7 +453,7 @@ BOOST_AUTO_TEST_CASE(one_vertex)
   for(const Neighbor_estimator& estimator : {batagelo_wu, moving_least_squares, razdan_bae})
     check_one_vertex(estimator);
   const Analytic_surface s = test_support::monkey_saddle(.5, 10, .2, 7);
-  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  const Surface_mesh mesh = surface_mesh_of(s);
   const Result all = run(kalogerakis, mesh, s, Normals::ESTIMATED);
   for(std::size_t i = 0; i < s.points.size(); i += 3)
   {

@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(needs_triangles)
 BOOST_AUTO_TEST_CASE(useless_triangles_count_for_nothing)
 {
   const Analytic_surface s = test_support::sphere(1., 2, .2, 9);
-  Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(s);
+  Surface_mesh mesh = surface_mesh_of(s);
   // vertex 0 moves onto its neighbor: two of its triangles lose their area
   const Surface_mesh::Vertex_index v(0);
   const auto h = mesh.halfedge(v);

@@ -157,7 +157,7 @@ BOOST_AUTO_TEST_CASE(callback)
 
 BOOST_AUTO_TEST_CASE(bad_parameters)
 {
-  const Surface_mesh mesh = test_support::build_mesh<Surface_mesh>(test_support::sphere(1., 1));
+  const Surface_mesh mesh = surface_mesh_of(test_support::sphere(1., 1));
   for(const int edges : {-1, 0, 1, 4})
   {
     const auto names_it = [](const std::invalid_argument& e)

@@ -73,7 +73,7 @@ Items items_of(const Analytic_surface& s)
 
 SC::Voxel_octree voxels(const Analytic_surface& s, double size, SC::Voxel_values values)
 {
-  return SC::voxelize(test_support::build_mesh<Surface_mesh>(s), size, values);
+  return SC::voxelize(surface_mesh_of(s), size, values);
 }
 
 double mean_error(const Analytic_surface& s, const Items& items)
@@ -176,7 +176,7 @@ BOOST_AUTO_TEST_CASE(voxels_of_meshes)
   }
 
   const Analytic_surface s = test_support::sphere(1., 5);
-  const Surface_mesh sphere = test_support::build_mesh<Surface_mesh>(s);
+  const Surface_mesh sphere = surface_mesh_of(s);
   BOOST_TEST(std::abs(total(SC::voxelize(sphere, .05)) / (4. * M_PI / 3.) - 1.) < 3e-3);
 
   for(const double size : {0., -1., std::nan(""), 1e-9})

@@ -70,7 +70,7 @@ inline Arrays draw(const Options& options = Options(), unsigned int subdivisions
   Arrays head;
   std::vector<Vector> sphere;
   std::vector<Triangle> triangles;
-  test_support::internal::icosphere(subdivisions, sphere, triangles);
+  test_support::icosphere(subdivisions, sphere, triangles);
   std::vector<Vector> points;
   for(const Vector& d : sphere)
   {

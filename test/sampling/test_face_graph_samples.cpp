@@ -48,7 +48,7 @@ namespace {
 
 Polygon_arrays arrays(const Analytic_surface& s)
 {
-  return test_support::internal::polygons(s.name, s);
+  return test_support::polygons(s.name, s);
 }
 
 template <typename FaceGraph>
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE(removed_elements)
 {
   Polygon_arrays a = arrays(waves(.1, 4., 1., 6, .15));
   const Mesh clean = build_mesh<Mesh>(a);
-  test_support::internal::append(a, tetrahedron(), {5., 0., 0.});
+  test_support::append(a, tetrahedron(), {5., 0., 0.});
   Mesh mesh = build_mesh<Mesh>(a);
   const std::size_t n = clean.number_of_vertices();
   CGAL::Euler::remove_center_vertex(mesh.halfedge(Mesh::Vertex_index(unsigned(n))), mesh);
@@ -496,7 +496,7 @@ BOOST_AUTO_TEST_CASE(patches)
 BOOST_AUTO_TEST_CASE(statuses)
 {
   Polygon_arrays a = isolated_vertices(2);
-  test_support::internal::append(a, arrays(plane(1., 4)), {4., 0., 0.});
+  test_support::append(a, arrays(plane(1., 4)), {4., 0., 0.});
   const std::size_t first = a.points.size() - 25, bad = first + 12;
   a.points[bad] = {4., std::numeric_limits<double>::infinity(), 0.};
   const Mesh mesh = build_mesh<Mesh>(a);
