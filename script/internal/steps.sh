@@ -30,13 +30,12 @@ finish()
   exit $failed
 }
 
-# Ninja compiles a program while the libraries that it is linked with are being built: make waits. (Where a folder was
-# configured for another, that stays.)
-command -v ninja > /dev/null && export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
-
 # configure <preset>, build <preset> [target], run_tests <preset>
 configure()
 {
+  # Ninja compiles a program while the libraries that it is linked with are being built: make waits. (Where a folder was
+  # configured for another, that stays.)
+  command -v ninja > /dev/null && export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
   local warnings_as_errors=OFF # sanitizers make the compiler warn of what is not so
   [[ $1 == release || $1 == test ]] && warnings_as_errors=ON
   cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
