@@ -212,7 +212,7 @@ const char* const help =
     "  --seeds 1,2,3         seeds of the random points (1,2,3); errors are pooled over them\n"
     "  --points N            points of an explicit surface (10000)\n"
     "  --grid N              samples per axis of marching cubes (128)\n"
-    "  --quick               one seed, 1000 points, a grid of 24, the tables whose order is checked, unless\n"
+    "  --quick               one seed, 800 points, a grid of 24, the tables whose order is checked, unless\n"
     "                        given otherwise, and --no-costly; fails if the estimators are not in the order\n"
     "                        that is expected\n"
     "  --no-costly           leaves out what takes minutes a table, the thesis's fits over 4 rings and "
@@ -248,7 +248,7 @@ int main(int argc, char** argv)
     names += t.name + ",";
   options.tables = arguments.list("tables", quick ? "8.3,8.4,8.5,8.7,8.12,8.14" : names);
   options.seeds = arguments.numbers("seeds", quick ? "1" : "1,2,3");
-  options.resolution.points = arguments.number("points", quick ? 1000 : 10000, 10);
+  options.resolution.points = arguments.number("points", quick ? 800 : 10000, 10);
   options.resolution.grid = arguments.number("grid", quick ? 24 : 128, 2);
   options.all_seeds = arguments.has("all-seeds");
   if(options.seeds.empty())

@@ -40,14 +40,15 @@ configure()
   [[ $1 == release || $1 == test ]] && warnings_as_errors=ON
   cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
 }
-build() { cmake --build --preset "$1" --parallel "$(parallel_jobs)" ${2:+--target "$2"}; }
+build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--target "$2"}; } # one more, for who waits
 run_tests() { ctest --preset "$1" --parallel "$(parallel_jobs)"; }
 
-# As many as there are processors, as far as memory goes: a compiler that reads CGAL and Eigen takes up to 2 GB.
+# As many as there are processors, and so many more, as far as memory goes: a compiler that reads CGAL and Eigen takes up to
+# 2 GB.
 parallel_jobs()
 {
-  local processors memory
-  processors=$(nproc)
+  local jobs memory
+  jobs=$(( $(nproc) + ${1:-0} ))
   memory=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo)
-  echo $(( memory < 1 ? 1 : memory < processors ? memory : processors ))
+  echo $(( memory < 1 ? 1 : memory < jobs ? memory : jobs ))
 }

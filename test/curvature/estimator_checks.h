@@ -15,8 +15,8 @@
 
 #include "analytic_surfaces.h"
 
-#include <boost/test/tools/context.hpp>
 #include <boost/test/test_tools.hpp>
+#include <boost/test/tools/context.hpp>
 #include <boost/test/unit_test_log.hpp>
 
 #include <Eigen/Core>

@@ -341,8 +341,7 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
 
 BOOST_AUTO_TEST_CASE(callback)
 {
-  const Surface_mesh mesh =
-      surface_mesh_of(test_support::torus(1., .4, 36, 18, .2, 6));
+  const Surface_mesh mesh = surface_mesh_of(test_support::torus(1., .4, 36, 18, .2, 6));
   std::vector<double> advancements;
   BOOST_TEST(SC::adaptive_curvatures<CGAL::Sequential_tag>(mesh, SC::parameters::callback(
                                                                      [&](const double t)
