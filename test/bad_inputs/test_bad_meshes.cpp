@@ -41,7 +41,7 @@ const double infinity = std::numeric_limits<double>::infinity();
 
 Polygon_arrays arrays(const Analytic_surface& s)
 {
-  return test_support::polygons(s.name, s);
+  return test_support::polygons_of(s.name, s);
 }
 
 Mesh mesh_of(const Polygon_arrays& a)

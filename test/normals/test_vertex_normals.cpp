@@ -60,7 +60,7 @@ Answer normals_of(const FaceGraph& mesh, Normal_weighting weighting)
 
 Polygon_arrays arrays(const Analytic_surface& s)
 {
-  return test_support::polygons(s.name, s);
+  return test_support::polygons_of(s.name, s);
 }
 
 Polygon_arrays scaled(Polygon_arrays a, double factor)

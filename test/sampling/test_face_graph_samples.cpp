@@ -48,7 +48,7 @@ namespace {
 
 Polygon_arrays arrays(const Analytic_surface& s)
 {
-  return test_support::polygons(s.name, s);
+  return test_support::polygons_of(s.name, s);
 }
 
 template <typename FaceGraph>

@@ -9,7 +9,7 @@
 
 namespace test_support {
 
-Polygon_arrays polygons(const std::string& name, const Analytic_surface& s)
+Polygon_arrays polygons_of(const std::string& name, const Analytic_surface& s)
 {
   Polygon_arrays m{name, s.points, {}};
   for(const Triangle& t : s.triangles)
@@ -103,7 +103,7 @@ Polygon_arrays prism_of_polygons()
 
 Polygon_arrays isolated_vertices(std::size_t count)
 {
-  Polygon_arrays m = polygons("isolated vertices", sphere(1., 2));
+  Polygon_arrays m = polygons_of("isolated vertices", sphere(1., 2));
   for(std::size_t i = 0; i < count; ++i)
     m.points.push_back({.1 * double(i), 0., 1.});
   return m;
@@ -125,7 +125,7 @@ Polygon_arrays triangle_soup()
 
 Polygon_arrays zero_area_triangles(std::size_t* vertex)
 {
-  Polygon_arrays m = polygons("zero-area triangles", waves(.1, 4., 1., 16, .15));
+  Polygon_arrays m = polygons_of("zero-area triangles", waves(.1, 4., 1., 16, .15));
   const std::size_t middle = 8 * 17 + 8;
   m.points[middle] = m.points[middle + 1];
   if(vertex != nullptr)
@@ -135,7 +135,7 @@ Polygon_arrays zero_area_triangles(std::size_t* vertex)
 
 Polygon_arrays needle_triangles(std::size_t* vertex)
 {
-  Polygon_arrays m = polygons("needle triangles", waves(.1, 4., 1., 16, .15));
+  Polygon_arrays m = polygons_of("needle triangles", waves(.1, 4., 1., 16, .15));
   const std::size_t middle = 8 * 17 + 8;
   m.points[middle] = m.points[middle + 1] + 1e-8 * (m.points[middle] - m.points[middle + 1]);
   if(vertex != nullptr)
@@ -145,7 +145,7 @@ Polygon_arrays needle_triangles(std::size_t* vertex)
 
 Polygon_arrays cap_triangle(std::size_t* vertex)
 {
-  Polygon_arrays m = polygons("cap triangle", saddle(1., 8));
+  Polygon_arrays m = polygons_of("cap triangle", saddle(1., 8));
   const std::vector<std::size_t> t = m.faces[2 * (4 * 8 + 4)];
   const Vector edge_middle = .5 * (m.points[t[0]] + m.points[t[1]]);
   const std::size_t added = m.points.size();
@@ -160,7 +160,7 @@ Polygon_arrays cap_triangle(std::size_t* vertex)
 
 Polygon_arrays border_ear()
 {
-  Polygon_arrays m = polygons("border ear", saddle(1., 8));
+  Polygon_arrays m = polygons_of("border ear", saddle(1., 8));
   m.points.push_back({-.875, -1.2, -.4});
   // the grid's first row (x = -1 ... along x at y = -1) has vertices 0, 9, 18, ...
   m.faces.push_back({9, 0, m.points.size() - 1});
@@ -206,8 +206,8 @@ Polygon_arrays mixed_valences()
 
 Polygon_arrays several_components()
 {
-  Polygon_arrays m = polygons("several components", sphere(1., 2));
-  append(m, polygons("", torus(1., .4, 24, 12)), {5., 0., 0.});
+  Polygon_arrays m = polygons_of("several components", sphere(1., 2));
+  append(m, polygons_of("", torus(1., .4, 24, 12)), {5., 0., 0.});
   append(m, single_triangle(), {10., 0., 0.});
   return m;
 }
@@ -243,8 +243,8 @@ Polygon_arrays bow_tie()
 
 Polygon_arrays two_sheets(double distance, std::size_t n)
 {
-  Polygon_arrays m = polygons("two sheets", plane(1., n, .1, 3));
-  Polygon_arrays lower = polygons("", plane(1., n, .1, 4));
+  Polygon_arrays m = polygons_of("two sheets", plane(1., n, .1, 3));
+  Polygon_arrays lower = polygons_of("", plane(1., n, .1, 4));
   for(auto& f : lower.faces)
     std::swap(f[1], f[2]);
   append(m, lower, {0., 0., -distance});

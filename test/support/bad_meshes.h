@@ -20,7 +20,7 @@ struct Polygon_arrays
 };
 
 /// The triangles of a surface as polygons.
-Polygon_arrays polygons(const std::string& name, const Analytic_surface& s);
+Polygon_arrays polygons_of(const std::string& name, const Analytic_surface& s);
 
 /// Appends `part`, moved by `offset`.
 void append(Polygon_arrays& m, const Polygon_arrays& part, const Vector& offset = {});
