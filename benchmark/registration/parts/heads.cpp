@@ -186,6 +186,8 @@ std::vector<std::string> head_files(const std::string& folder, std::string& comm
     comment = std::to_string(files.size()) + " heads";
     return files;
   }
+  if(!folder.empty())
+    throw std::invalid_argument("no heads (id*_crop.ply) in " + folder);
   const std::string bust = std::string(SHAPE_CHARACTERISTICS_DATA_DIR) + "/meshes/mannequin-devil.off";
   if(std::filesystem::is_regular_file(bust, ignored))
   {

@@ -18,8 +18,9 @@ struct Head
   Scan fine;          ///< the mesh after one step of Loop's subdivision, with normals
 };
 
-/// The files of the heads in `folder` (by default that beside the checkout), or, where there is none, one of the busts
-/// that come with CGAL. `comment` says which.
+/// The files of the heads in `folder`. If that is empty, of those beside the checkout, or, where there are none, one of the
+/// busts that come with CGAL. `comment` says which.
+/// \throws std::invalid_argument if there are none in a folder that is named
 std::vector<std::string> head_files(const std::string& folder, std::string& comment);
 
 /*!

@@ -437,18 +437,21 @@ private:
   {
     const std::size_t step = m_source.size() / s_enough_to_try + 1;
     const Oriented_points few = every(m_source, step);
-    std::vector<std::pair<double, Eigen::Isometry3d> > tried;
+    std::vector<Eigen::Isometry3d> tried;
+    std::vector<std::pair<double, std::size_t> >
+        order; // motions in a buffer of std::stable_sort() may lack alignment
     for(const Eigen::Isometry3d& start : starts)
     {
       const Rigid_alignment fine = iterative_closest_point<ConcurrencyTag>(
           few, m_target, start, parameters::number_of_iterations(20).maximum_correspondence_distance(.3));
-      if(is_estimated(fine.status))
-        tried.emplace_back(-score(m_assessor(fine.transformation, step)), fine.transformation);
+      if(!is_estimated(fine.status))
+        continue;
+      order.emplace_back(-score(m_assessor(fine.transformation, step)), tried.size());
+      tried.push_back(fine.transformation);
     }
-    std::stable_sort(tried.begin(), tried.end(),
-                     [](const auto& a, const auto& b) { return a.first < b.first; });
-    for(std::size_t k = 0; k < (std::min)(tried.size(), std::size_t(3)); ++k)
-      refine(tried[k].second, found);
+    std::sort(order.begin(), order.end());
+    for(std::size_t k = 0; k < (std::min)(order.size(), std::size_t(3)); ++k)
+      refine(tried[order[k].second], found);
   }
 
   static Eigen::Matrix3d axes(const Oriented_points& scan)
