@@ -73,6 +73,15 @@ struct Lumpy_ball
   static Vector3d point(const Vector3d& d) { return distance(d) * d; }
 };
 
+// one whose two sides are mirror images of each other, and nothing else
+struct Symmetric_ball
+{
+  static Vector3d point(const Vector3d& d)
+  {
+    return Lumpy_ball::distance(Vector3d(std::abs(d.x()), d.y(), d.z())) * d;
+  }
+};
+
 struct Round_ball
 {
   static Vector3d point(const Vector3d& d) { return d; }
@@ -478,11 +487,30 @@ BOOST_AUTO_TEST_CASE(mirrored_object)
   const Eigen::Affine3d mirror = some_motion() * Eigen::Scaling(1., 1., -1.);
   const Scan source = moved(right_part(2), mirror);
   const Result result = registered(source, target);
-  BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST(int(result.verdict) == int(Registration_verdict::AMBIGUOUS));
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::REFLECTION));
+  BOOST_TEST(result.confidence == 0.);
   BOOST_TEST(result.alternatives.size() == 1u);
   BOOST_TEST(result.alternatives.at(0).is_reflection);
   BOOST_TEST(error(source, result.alternatives.at(0).transformation, mirror.inverse()) < .02);
+}
+
+BOOST_AUTO_TEST_CASE(sides_of_a_symmetric_object)
+{
+  for(const double least : {0., .05})
+    BOOST_TEST_CONTEXT("more than " << least << " from the plane of symmetry")
+    {
+      const Scan target = scan_of<Symmetric_ball>(4000, 1, [=](const Vector3d& p) { return p.x() < -least; });
+      const Scan source = moved(
+          scan_of<Symmetric_ball>(4000, 2, [=](const Vector3d& p) { return p.x() > least; }), some_motion());
+      const Result result = registered(source, target);
+      BOOST_TEST(int(result.verdict) == int(Registration_verdict::AMBIGUOUS));
+      BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::REFLECTION));
+      BOOST_TEST_REQUIRE(!result.alternatives.empty());
+      BOOST_TEST(result.alternatives[0].is_reflection);
+      const Eigen::Affine3d mirror = Eigen::Scaling(-1., 1., 1.) * some_motion().inverse();
+      BOOST_TEST(error(source, result.alternatives[0].transformation, mirror) < .02);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(other_units)

@@ -32,12 +32,14 @@ struct Registration_result
   Registration_verdict verdict = Registration_verdict::FAILED;
   /// why they are not
   Registration_obstacle obstacle = Registration_obstacle::FEW_SAMPLES;
-  /// the motion of the source. If the verdict is `AMBIGUOUS`, one of several; if it is `FAILED`, the best that was tried, or the
-  /// identity if there was none. Rotation and translation; with other units, scaling as well.
+  /// the motion of the source. If the verdict is `AMBIGUOUS`, one of several, but the identity if only a reflection fits, which is
+  /// then the first of the alternatives; if it is `FAILED`, the best that was tried, or the identity if there was none. Rotation and
+  /// translation; with other units, scaling as well.
   CGAL::Aff_transformation_3<Kernel> transformation = CGAL::Aff_transformation_3<Kernel>(CGAL::IDENTITY);
   /// how the scans fit together then
   Registration_quality quality;
-  /// how sure the verdict `SUCCESS` is, in [0, 1]; 0 if it is `FAILED`. If it is `AMBIGUOUS`, how sure this motion is.
+  /// how sure the verdict `SUCCESS` is, in [0, 1]; 0 if it is `FAILED`. If it is `AMBIGUOUS`, how sure this motion is: 0 if only a
+  /// reflection fits.
   double confidence = 0.;
   /// the size of the source, by that of the target: other than 1 only if units are different
   double scale_ratio = 1.;

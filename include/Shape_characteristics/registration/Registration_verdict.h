@@ -10,8 +10,8 @@ namespace Shape_characteristics {
 */
 enum class Registration_verdict : unsigned char
 {
-  SUCCESS,   ///< one motion, and no other, brings the scans together
-  AMBIGUOUS, ///< several motions do so almost equally well, and the scans can't tell which is meant
+  SUCCESS, ///< one motion, and no other, brings the scans together
+  AMBIGUOUS, ///< several motions do so almost equally well, or a reflection: the scans can't tell which is meant
   FAILED     ///< none was found
 };
 
@@ -28,9 +28,9 @@ enum class Registration_obstacle : unsigned char
   FEW_CORRESPONDENCES, ///< too few descriptors are alike: the surfaces have nothing in common, or no features at all
   SURFACES_DISAGREE, ///< what was found doesn't bring the surfaces together
   DIFFERENT_UNITS,   ///< one scan is many times as large as the other, with points as many times as far apart
-  REFLECTION,        ///< the scans come together if one is mirrored
-  SLIDING,           ///< the surfaces can be moved along each other: planes, spheres, cylinders
-  SEVERAL_MOTIONS    ///< the object can't be told from itself after a rotation
+  REFLECTION,     ///< the scans come together only mirrored: one was, or they are the two sides of one object
+  SLIDING,        ///< the surfaces can be moved along each other: planes, spheres, cylinders
+  SEVERAL_MOTIONS ///< the object can't be told from itself after a rotation
 };
 
 } // namespace Shape_characteristics

@@ -112,6 +112,7 @@ public:
             h.is_reflection = true;
           }
           outcome = failure(other, Registration_obstacle::REFLECTION);
+          outcome.verdict = Registration_verdict::AMBIGUOUS;
         }
       }
     }
@@ -438,8 +439,8 @@ private:
     const std::size_t step = m_source.size() / s_enough_to_try + 1;
     const Oriented_points few = every(m_source, step);
     std::vector<Eigen::Isometry3d> tried;
-    std::vector<std::pair<double, std::size_t> >
-        order; // motions in a buffer of std::stable_sort() may lack alignment
+    // numbers, for motions in a buffer of std::stable_sort() may lack alignment
+    std::vector<std::pair<double, std::size_t> > order;
     for(const Eigen::Isometry3d& start : starts)
     {
       const Rigid_alignment fine = iterative_closest_point<ConcurrencyTag>(
