@@ -368,6 +368,26 @@ BOOST_AUTO_TEST_CASE(independent_of_unit_and_position)
   check(SC::Inverse_multiquadric());
 }
 
+// Vector instructions longer than what malloc() aligns for must not add in an order that depends on addresses.
+BOOST_AUTO_TEST_CASE_TEMPLATE(addresses_do_not_count, Function, Basis_functions)
+{
+  const Cloud cloud = ellipsoid(11, 1., .8, .6);
+  const std::vector<Point_3> where = random_points(5, 3, 1.);
+  // all at once, at addresses of their own
+  std::list<SC::Hermite_rbf_interpolant<Kernel, Function>> interpolants;
+  std::list<std::vector<char>> between;
+  for(int i = 0; i < 16; ++i)
+  {
+    interpolants.emplace_back(cloud.points, cloud.normals);
+    between.emplace_back(40);
+    for(const Point_3& p : where)
+    {
+      BOOST_TEST(interpolants.back()(p) == interpolants.front()(p));
+      BOOST_TEST((interpolants.back().hessian(p) == interpolants.front().hessian(p)));
+    }
+  }
+}
+
 // negative inside, positive outside, about the distance near the surface, and all of it negated with the normals
 BOOST_AUTO_TEST_CASE(sides)
 {

@@ -101,7 +101,7 @@ public:
     solve(centers, directions);
   }
 
-  /// returns whether the system of equations could be solved. If not, each evaluation returns NaN.
+  /// returns whether the system of equations could be solved. If not, as where two points coincide, each evaluation returns NaN.
   bool is_valid() const noexcept { return m_is_valid; }
 
   /// returns the number of points.
@@ -133,6 +133,8 @@ private:
     for(Eigen::Index i = 0; i < centers.cols(); ++i)
       m_system.add_center(Eigen::Vector3d(centers.col(i)), 0., axes,
                           std::array<double, 3>{directions(0, i), directions(1, i), directions(2, i)});
+    if(internal::has_coincident_points(centers))
+      return; // the matrix is singular, though rounding may hide it
     if constexpr(RadialBasisFunction::is_positive_definite)
       m_is_valid = m_system.solve_positive_definite(0., 0.);
     else

@@ -204,7 +204,9 @@ private:
   Eigen::Vector3d m_trend = Eigen::Vector3d::Zero();
   std::vector<Eigen::Vector3d> m_points, m_directions, m_beta;
   std::vector<std::size_t> m_first = std::vector<std::size_t>(1, 0); // equation of each center's value
-  std::vector<double> m_data, m_weights, m_alpha, m_matrix;
+  // Aligned for vector instructions: elsewhere Eigen adds in another order, and rounding would depend on addresses.
+  std::vector<double, Eigen::aligned_allocator<double> > m_data, m_weights, m_matrix;
+  std::vector<double> m_alpha;
   double m_log_likelihood = 0.;
 };
 

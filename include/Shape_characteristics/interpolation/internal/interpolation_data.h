@@ -124,6 +124,16 @@ private:
   bool degenerate = true;
 };
 
+// in quadratic time, as what follows
+inline bool has_coincident_points(const Eigen::Matrix3Xd& points)
+{
+  for(Eigen::Index i = 0; i < points.cols(); ++i)
+    for(Eigen::Index j = 0; j < i; ++j)
+      if(points.col(i) == points.col(j))
+        return true;
+  return false;
+}
+
 // mean distance of a point to its nearest neighbor, in quadratic time as anything else that is done with dense matrices;
 // 0 for a single point
 inline double mean_spacing(const Eigen::Matrix3Xd& points)
