@@ -8,6 +8,7 @@
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
+option(SHAPE_CHARACTERISTICS_AVX2 "Compile for AVX2 and FMA, if this machine has them" OFF)
 set(SHAPE_CHARACTERISTICS_SANITIZERS "" CACHE STRING "What to sanitize: address,undefined or thread")
 
 add_library(Shape_characteristics_development INTERFACE)
@@ -21,10 +22,19 @@ target_compile_options(Shape_characteristics_development INTERFACE
 target_compile_definitions(Shape_characteristics_development INTERFACE
   SHAPE_CHARACTERISTICS_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}"
   CGAL_DATA_DIR="${SHAPE_CHARACTERISTICS_DATA_DIR}") # where CGAL::data_file_path() looks
+if(SHAPE_CHARACTERISTICS_AVX2)
+  # Not -march=native: GCC 12 warns of its own headers for AVX-512.
+  include(CheckCXXSourceRuns)
+  check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
+    SHAPE_CHARACTERISTICS_HAS_AVX2)
+  if(SHAPE_CHARACTERISTICS_HAS_AVX2)
+    target_compile_options(Shape_characteristics_development INTERFACE -mavx2 -mfma)
+  endif()
+endif()
 if(SHAPE_CHARACTERISTICS_SANITIZERS)
   # Without the checks of every pointer and reference: they make the compiler three times slower, and what they would
-  # find makes the program end in the address sanitizer (null, out of an object) or in Eigen's vector instructions
-  # (misaligned).
+  # find makes the program end in the address sanitizer (null, out of an object; an offset alone does no harm) or in Eigen's
+  # vector instructions (misaligned).
   target_compile_options(Shape_characteristics_development INTERFACE
     -fsanitize=${SHAPE_CHARACTERISTICS_SANITIZERS}
     -fno-sanitize=alignment,null,object-size,pointer-overflow,vptr$<$<CXX_COMPILER_ID:Clang>:,function>
