@@ -1,6 +1,10 @@
 #ifndef SHAPE_CHARACTERISTICS_ESTIMATION_STATUS_H
 #define SHAPE_CHARACTERISTICS_ESTIMATION_STATUS_H
 
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "Shape_characteristics needs NaN and infinity: add -fno-finite-math-only behind -ffast-math"
+#endif
+
 namespace Shape_characteristics {
 
 /*!
