@@ -53,7 +53,7 @@ const std::vector<Expected_order>& expected_orders()
                                                      {"8.5", "HRBF r^3, 2 rings", "Rusinkiewicz, 1 ring"},
                                                      {"8.7", "HRBF r^5, 4 rings", "HRBF r^3, 4 rings"},
                                                      {"8.7", "HRBF r^7, 4 rings", "HRBF r^5, 4 rings"},
-                                                     {"8.12", "HRBF default, 2 rings", "HRBF r^3, 2 rings"},
+                                                     {"8.12", "HRBF default, 2 rings", "HRBF r^3, 4 rings"},
                                                      {"8.12", "HRBF r^3, 2 rings", "Rusinkiewicz, 1 ring"},
                                                      {"8.14", "HRBF default, 2 rings", "HRBF r^3, 2 rings"},
                                                      {"8.14", "HRBF r^3, 2 rings", "Max, 1 ring"},

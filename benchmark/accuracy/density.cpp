@@ -1,7 +1,9 @@
 // The errors of estimators over the number of points of a surface, and pictures of them: the experiments of the thesis's
 // section 7.3.1 (figures 7.4 to 7.6), for all estimators.
 #include "Command_line.h"
+#include "fitted_exponent.h"
 
+#include "parts/Report.h"
 #include "parts/Sample.h"
 #include "parts/Table.h"
 #include "parts/estimators.h"
@@ -18,14 +20,11 @@
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -73,31 +72,15 @@ struct Course
   std::string surface, estimator;
   std::vector<Errors> errors;
 
-  // The power of the distance of the points with which the error falls, from the least squares line through the logarithms;
-  // n points have distances like n^(-1/2).
+  // The power of the distance of the points with which the error falls: n points have distances like n^(-1/2).
   double order(const std::vector<std::uint64_t>& points) const
   {
-    double sx = 0., sy = 0., sxx = 0., sxy = 0.;
-    const double n = double(points.size());
-    for(std::size_t i = 0; i < points.size(); ++i)
-    {
-      const double x = -.5 * std::log(double(points[i])), y = std::log(errors[i].all.mae());
-      sx += x;
-      sy += y;
-      sxx += x * x;
-      sxy += x * y;
-    }
-    return (n * sxy - sx * sy) / (n * sxx - sx * sx);
+    std::vector<double> maes;
+    for(const Errors& e : errors)
+      maes.push_back(e.all.mae());
+    return -2. * benchmark_support::fitted_exponent(std::vector<double>(points.begin(), points.end()), maes);
   }
 };
-
-std::string readable(double number)
-{
-  std::ostringstream out;
-  out.precision(3);
-  out << number;
-  return out.str();
-}
 
 void print(const std::string& surface,
            const std::vector<Course>& courses,
@@ -115,8 +98,8 @@ void print(const std::string& surface,
     {
       std::cout << "| " << c.estimator << " |";
       for(const Errors& e : c.errors)
-        std::cout << ' ' << readable(e.all.mae()) << " |";
-      std::cout << ' ' << readable(c.order(points)) << " |\n";
+        std::cout << ' ' << to_text(e.all.mae()) << " |";
+      std::cout << ' ' << to_text(c.order(points)) << " |\n";
     }
 }
 
@@ -196,7 +179,7 @@ void write_pictures(const std::string& file,
             .first;
     for(const Vertex v : vertices(sample.mesh))
       shape.scalars[v] = .5 * (curvatures[v].min_curvature + curvatures[v].max_curvature);
-    sheet.add(renderer.render(shape, options), e.label() + "\nerror " + readable(errors.all.mae()));
+    sheet.add(renderer.render(shape, options), e.label() + "\nerror " + to_text(errors.all.mae()));
   }
   support::Legend legend;
   legend.title = "mean curvature";
@@ -230,8 +213,8 @@ bool is_as_expected(const std::vector<Course>& courses, const std::vector<std::u
                  &bezier = course(s, "Zhihong, 1 ring");
     check(two.order(points) > .7 && three.order(points) > .7, s + ": both kinds converge");
     const double quotient = two.errors.back().all.mae() / three.errors.back().all.mae();
-    check(quotient > .8 && quotient < 1.25, s + ": two edges have " + readable(quotient) +
-                                                " of the error of three, which is little difference");
+    check(quotient > .8 && quotient < 1.25,
+          s + ": two edges have " + to_text(quotient) + " of the error of three, which is little difference");
     check(bezier.errors.back().all.mae() > two.errors.back().all.mae(), s + ": Bezier triangles are worse");
   }
   return is_right;
@@ -309,9 +292,14 @@ int main(int argc, char** argv)
   {
     return accuracy::run(argc, argv);
   }
-  catch(const std::exception& e)
+  catch(const std::invalid_argument& error)
   {
-    std::cerr << "density: " << e.what() << '\n';
+    std::cerr << error.what() << "\n\n" << accuracy::help;
     return 2;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << error.what() << '\n';
+    return 1;
   }
 }

@@ -130,6 +130,22 @@ bool same_but_for_fits(const Estimator<Input>& estimator, const Estimate& a, con
   return true;
 }
 
+// Sizes ---------------------------------------------------------------------------------------------------
+
+inline double largest(const Estimate& e)
+{
+  return std::max(std::abs(e.k_min()), std::abs(e.k_max()));
+}
+
+// of those that were estimated
+inline double largest(const Results& results)
+{
+  double size = 0.;
+  for(const Estimate& e : results.samples)
+    size = std::max(size, SC::is_estimated(e.status) ? largest(e) : 0.);
+  return size;
+}
+
 // What holds for every input -------------------------------------------------------------------------------
 
 // returns what is wrong with an answer; empty if nothing is
@@ -192,6 +208,31 @@ std::string complaint(const Results& results, const Input& input)
   return failures == results.failures ? ""
                                       : std::to_string(results.failures) + " failures were returned, but " +
                                             std::to_string(failures) + " were announced";
+}
+
+// what is wrong with the curvatures of the input times `scale`: they must be those of the input, divided by it
+template <typename Input>
+std::string complaint_of_scaled(const Estimator<Input>& estimator,
+                                const Results& original,
+                                const Results& scaled,
+                                double scale)
+{
+  const double size = largest(original), tolerance = estimator.reproducibility * size;
+  for(std::size_t i = 0; i < original.samples.size(); ++i)
+  {
+    const Estimate &a = original.samples[i], &b = scaled.samples[i];
+    const std::string sample = "sample " + std::to_string(i) + ": ";
+    if(a.status != b.status)
+      return sample + "another status";
+    if(!SC::is_estimated(a.status))
+      continue;
+    if(!(std::abs(b.k_min() * scale - a.k_min()) <= tolerance) ||
+       !(std::abs(b.k_max() * scale - a.k_max()) <= tolerance))
+      return sample + "another curvature";
+    if(!(std::abs(b.Gaussian() * scale * scale - a.Gaussian()) <= 4. * tolerance * size))
+      return sample + "another Gaussian curvature";
+  }
+  return "";
 }
 
 } // namespace bad_inputs

@@ -319,9 +319,7 @@ void check_threads(const Run& sequential, const Run& parallel)
   }
 }
 
-void check_callback(
-    const std::function<std::size_t(const Surface_mesh&, Status_map, const std::function<bool(double)>&)>&
-        estimator)
+void check_callback(const Run_with_callback& estimator)
 {
   const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 6);
   const Surface_mesh mesh = surface_mesh_of(s);

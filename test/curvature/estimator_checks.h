@@ -30,7 +30,7 @@
 // What every estimator of curvature has to keep. An `Estimator` has
 //   template <typename Tag, typename Mesh, typename Np> std::size_t all(const Mesh&, const Np&) const
 //   template <typename Vertex, typename Mesh, typename Np> Estimation_status one(Vertex, const Mesh&, const Np&) const
-// What the checks do with it is in a library, compiled once; the templates of this file make functions of it.
+// What the checks do with it is in a library, compiled once; the templates of this file make one type of all of them.
 namespace estimator_checks {
 
 namespace SC = Shape_characteristics;
@@ -116,15 +116,24 @@ Result run(const Estimator& estimator, const Analytic_surface& surface, Normals 
   return run<Tag>(estimator, surface_mesh_of(surface), surface, normals);
 }
 
-// An estimator as a function: the second argument is what the mesh was made of.
-using Run = std::function<Result(const Surface_mesh&, const Analytic_surface&, Normals)>;
-
-template <typename Tag = CGAL::Sequential_tag, typename Estimator>
-Run function_of(const Estimator& estimator)
+// Any estimator as one type, run on a mesh and what it was made of. Keeps a reference.
+class Run
 {
-  return [&estimator](const Surface_mesh& mesh, const Analytic_surface& s, Normals normals)
-  { return run<Tag>(estimator, mesh, s, normals); };
-}
+public:
+  template <typename Estimator, typename Tag = CGAL::Sequential_tag>
+  Run(const Estimator& estimator, Tag = Tag())
+    : m_function([&estimator](const Surface_mesh& mesh, const Analytic_surface& surface, Normals normals)
+                 { return run<Tag>(estimator, mesh, surface, normals); })
+  {}
+
+  Result operator()(const Surface_mesh& mesh, const Analytic_surface& surface, Normals normals) const
+  {
+    return m_function(mesh, surface, normals);
+  }
+
+private:
+  std::function<Result(const Surface_mesh&, const Analytic_surface&, Normals)> m_function;
+};
 
 // vertices whose distance to the apex of a cone, where the surface isn't smooth, or to the border is at least so
 // many mean edges
@@ -159,32 +168,12 @@ void check_errors(const Run& estimator,
                   const Bounds& bounds,
                   bool products_agree = true);
 
-template <typename Estimator>
-void check_errors(const Estimator& estimator,
-                  double jitter,
-                  Normals normals,
-                  double edges,
-                  const Bounds& bounds,
-                  bool products_agree = true)
-{
-  check_errors(function_of(estimator), jitter, normals, edges, bounds, products_agree);
-}
-
 // The power of the edge length with which the mean error of vertices farther than `distance` from the border falls,
 // between `make(1)` and `make(4)`, which has edges a quarter as long.
 double convergence_order(const Run& estimator,
                          const std::function<Analytic_surface(unsigned int)>& make,
                          Normals normals,
                          double distance = 0.);
-
-template <typename Estimator>
-double convergence_order(const Estimator& estimator,
-                         const std::function<Analytic_surface(unsigned int)>& make,
-                         Normals normals,
-                         double distance = 0.)
-{
-  return convergence_order(function_of(estimator), make, normals, distance);
-}
 
 Analytic_surface
 transformed(Analytic_surface s, double scale, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift);
@@ -201,29 +190,11 @@ std::vector<Analytic_surface> typical_surfaces();
 
 void check_motion_and_scale(const Run& estimator, double tolerance);
 
-template <typename Estimator>
-void check_motion_and_scale(const Estimator& estimator, double tolerance)
-{
-  check_motion_and_scale(function_of(estimator), tolerance);
-}
-
 // the same curvatures, with the signs and the order changed, bit for bit
 void check_flip(const Run& estimator);
 
-template <typename Estimator>
-void check_flip(const Estimator& estimator)
-{
-  check_flip(function_of(estimator));
-}
-
 // vertices and faces in another order, faces that begin with another vertex: the same bits
 void check_permutation(const Run& estimator);
-
-template <typename Estimator>
-void check_permutation(const Estimator& estimator)
-{
-  check_permutation(function_of(estimator));
-}
 
 // one result, bit for bit, on CGAL's types of meshes
 template <typename Estimator>
@@ -247,7 +218,7 @@ template <typename Estimator>
 void check_threads(const Estimator& estimator)
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  check_threads(function_of(estimator), function_of<CGAL::Parallel_tag>(estimator));
+  check_threads(Run(estimator), Run(estimator, CGAL::Parallel_tag()));
 #else
   (void)estimator;
   BOOST_TEST_MESSAGE("  skipped: built without TBB");
@@ -295,22 +266,21 @@ void check_one_vertex(const Estimator& estimator)
 using Status_map =
     boost::property_map<Surface_mesh, CGAL::dynamic_vertex_property_t<SC::Estimation_status>>::const_type;
 
+using Run_with_callback =
+    std::function<std::size_t(const Surface_mesh&, Status_map, const std::function<bool(double)>&)>;
+
 // the advancement grows to 1; false stops before the rest, which is CANCELLED
-void check_callback(
-    const std::function<std::size_t(const Surface_mesh&, Status_map, const std::function<bool(double)>&)>&
-        estimator);
+void check_callback(const Run_with_callback& estimator);
 
 template <typename Estimator>
 void check_callback(const Estimator& estimator)
 {
-  const std::function<std::size_t(const Surface_mesh&, Status_map, const std::function<bool(double)>&)>
-      function =
-          [&](const Surface_mesh& mesh, Status_map status_map, const std::function<bool(double)>& callback)
-  {
-    return estimator.template all<CGAL::Sequential_tag>(
-        mesh, SC::parameters::vertex_status_map(status_map).callback(callback));
-  };
-  check_callback(function);
+  check_callback(Run_with_callback(
+      [&](const Surface_mesh& mesh, Status_map status_map, const std::function<bool(double)>& callback)
+      {
+        return estimator.template all<CGAL::Sequential_tag>(
+            mesh, SC::parameters::vertex_status_map(status_map).callback(callback));
+      }));
 }
 
 // [0, 1]^2 as one face
@@ -330,12 +300,6 @@ void check_needs_triangles(const Estimator& estimator, const NamedParameters& np
 // A triangle without area, or with a point that is not finite, changes nothing for its neighbors' other triangles. Returns the
 // statuses of the neighbors of the point that isn't.
 std::vector<SC::Estimation_status> check_useless_triangles(const Run& estimator);
-
-template <typename Estimator>
-std::vector<SC::Estimation_status> check_useless_triangles(const Estimator& estimator)
-{
-  return check_useless_triangles(function_of(estimator));
-}
 
 } // namespace estimator_checks
 

@@ -1,13 +1,13 @@
 #define BOOST_TEST_MODULE height_grid
 #include <boost/test/unit_test.hpp>
 
+#include "estimator_checks.h"
+
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
-#include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/height_field_curvatures.h>
 #include <Shape_characteristics/curvature/height_grid_curvatures.h>
 
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -20,7 +20,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <deque>
 #include <functional>
 #include <limits>
@@ -33,8 +32,10 @@
 namespace {
 
 namespace SC = Shape_characteristics;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
+using estimator_checks::Curvatures;
+using estimator_checks::Kernel;
+using estimator_checks::Result;
+using estimator_checks::same_bits;
 using SC::Estimation_status;
 
 const double nan_value = std::numeric_limits<double>::quiet_NaN();
@@ -47,14 +48,6 @@ struct Grid
 
   std::size_t rows() const { return columns == 0 ? 0 : heights.size() / columns; }
   double& at(std::size_t i, std::size_t j) { return heights[j * columns + i]; }
-};
-
-struct Result
-{
-  std::vector<Curvatures> curvatures;
-  std::vector<double> mean, Gaussian;
-  std::vector<Estimation_status> status;
-  std::size_t failures = 0;
 };
 
 template <typename Tag = CGAL::Sequential_tag>
@@ -74,19 +67,6 @@ Result run(const Grid& g, SC::Height_field_normal normal = SC::Height_field_norm
           .status_map(CGAL::make_property_map(r.status))
           .height_field_normal(normal));
   return r;
-}
-
-bool same_bits(double a, double b)
-{
-  return std::memcmp(&a, &b, sizeof(double)) == 0;
-}
-bool same_bits(const Curvatures& a, const Curvatures& b)
-{
-  bool same = same_bits(a.min_curvature, b.min_curvature) && same_bits(a.max_curvature, b.max_curvature);
-  for(int i = 0; i < 3; ++i)
-    same = same && same_bits(a.min_direction[i], b.min_direction[i]) &&
-           same_bits(a.max_direction[i], b.max_direction[i]);
-  return same;
 }
 
 // h and its derivatives: value, u, v, uu, uv, vv

@@ -4,7 +4,6 @@
 #include "../../benchmark/support/build_face_graph.h"
 
 #include <cstddef>
-#include <vector>
 
 // Meshes of any type from the arrays of `analytic_surfaces.h` and `bad_meshes.h`, with vertices and faces in the
 // order of the arrays. Include CGAL's header of the mesh type before this one.

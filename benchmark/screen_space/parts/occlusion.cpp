@@ -18,6 +18,7 @@
 #include <support/camera_for.h>
 #include <support/data_file.h>
 
+#include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/property_map.h>
 
@@ -129,9 +130,7 @@ Mesh read_mesh(const std::string& name)
   const std::string file = support::data_file("meshes/" + name + ".off");
   if(!CGAL::IO::read_polygon_mesh(file, mesh))
     throw std::runtime_error(file + " is no mesh that can be read");
-  CGAL::Bbox_3 box;
-  for(const auto v : mesh.vertices())
-    box += mesh.point(v).bbox();
+  const CGAL::Bbox_3 box = CGAL::Polygon_mesh_processing::bbox(mesh);
   const Kernel::Vector_3 center(.5 * (box.xmin() + box.xmax()), .5 * (box.ymin() + box.ymax()),
                                 .5 * (box.zmin() + box.zmax()));
   const double scale =
@@ -141,28 +140,29 @@ Mesh read_mesh(const std::string& name)
   return mesh;
 }
 
+struct Gpu
+{
+  SC::G_buffer_renderer renderer;
+  SC::Screen_space_curvature_pass curvatures;
+};
+
 // Curvatures on the screen, and light by rays.
-Picture take_picture(const std::string& name, int size, int rays)
+Picture take_picture(Gpu& gpu, const std::string& name, int size, int rays)
 {
   Picture picture;
   const Mesh mesh = read_mesh(name);
   picture.name = name;
   picture.faces = mesh.number_of_faces();
-  SC::G_buffer_renderer renderer;
-  SC::Screen_space_curvature_pass pass;
-  renderer.set_mesh(mesh);
-  CGAL::Bbox_3 box;
-  for(const auto v : mesh.vertices())
-    box += mesh.point(v).bbox();
-  support::Orbit_camera view(box, support::camera_for(name + ".off"));
+  gpu.renderer.set_mesh(mesh);
+  support::Orbit_camera view(CGAL::Polygon_mesh_processing::bbox(mesh), support::camera_for(name + ".off"));
   view.move(.85);
-  const SC::G_buffer_textures textures = renderer.draw(view.camera(size, size), size, size);
+  const SC::G_buffer_textures textures = gpu.renderer.draw(view.camera(size, size), size, size);
   std::vector<float> depths, directions;
   const SC::G_buffer g = SC::read_g_buffer(textures, depths, directions);
   picture.k_min.resize(g.size());
   picture.k_max.resize(g.size());
   picture.mean.resize(g.size());
-  SC::read_screen_space_curvatures(pass(textures), size, size,
+  SC::read_screen_space_curvatures(gpu.curvatures(textures), size, size,
                                    SC::parameters::min_curvature_map(CGAL::make_property_map(picture.k_min))
                                        .max_curvature_map(CGAL::make_property_map(picture.k_max))
                                        .mean_curvature_map(CGAL::make_property_map(picture.mean)));
@@ -212,22 +212,18 @@ regression(const std::vector<Picture>& pictures, std::size_t left_out, std::size
   return SC::Griffin_ambient_occlusion(1., c[0], c[1], c[2]);
 }
 
-// one grey, the mean of the truth
-Light mean_light(const Picture& picture, std::size_t reach)
+// of the pixels that mappings have a say in
+double mean_light(const Picture& picture, const Light& truth)
 {
   double sum = 0.;
   std::size_t count = 0;
-  for(std::size_t i = 0; i < picture.mean.size(); ++i)
-    if(!std::isnan(picture.truth[reach][i]) && std::isfinite(picture.mean[i]))
+  for(std::size_t i = 0; i < truth.size(); ++i)
+    if(!std::isnan(truth[i]) && std::isfinite(picture.k_min[i]) && std::isfinite(picture.k_max[i]))
     {
-      sum += picture.truth[reach][i];
+      sum += truth[i];
       ++count;
     }
-  Light light(picture.mean.size(), float(sum / double(count)));
-  for(std::size_t i = 0; i < light.size(); ++i)
-    if(!std::isfinite(picture.mean[i]))
-      light[i] = std::numeric_limits<float>::quiet_NaN();
-  return light;
+  return sum / double(count);
 }
 
 struct Method
@@ -247,12 +243,13 @@ Findings measure_occlusion(const Settings& settings)
                     {},
                     true};
   const int size = settings.is_quick ? 96 : 480, rays = settings.is_quick ? 32 : 128;
+  const std::vector<std::string> names =
+      settings.is_quick ? std::vector<std::string>{"elephant"}
+                        : std::vector<std::string>{"armadillo", "bunny00", "lion-head", "ChineseDragon-10kv"};
   std::vector<Picture> pictures;
-  for(const char* name : {"armadillo", "bunny00", "lion-head", "ChineseDragon-10kv"})
-    if(!settings.is_quick)
-      pictures.push_back(take_picture(name, size, rays));
-  if(settings.is_quick)
-    pictures.push_back(take_picture("elephant", size, rays));
+  Gpu gpu;
+  for(const std::string& name : names)
+    pictures.push_back(take_picture(gpu, name, size, rays));
 
   std::size_t wins_over_printed = 0, wins_over_best = 0, wins_over_regression = 0;
   for(std::size_t p = 0; p < pictures.size(); ++p)
@@ -260,6 +257,7 @@ Findings measure_occlusion(const Settings& settings)
     {
       const Picture& picture = pictures[p];
       const Light& truth = picture.truth[reach];
+      const bool is_unlimited = std::isinf(reaches[reach]);
       const auto two_part = [](double parameter) { return SC::Two_part_ambient_occlusion(parameter); };
       const auto Hattori = [](double parameter) { return SC::Hattori_ambient_occlusion(parameter); };
       const auto Griffin = [](double parameter) { return SC::Griffin_ambient_occlusion(parameter); };
@@ -275,10 +273,8 @@ Findings measure_occlusion(const Settings& settings)
       add("Griffin, best scale", best_parameter(picture, truth, Griffin), Griffin);
       methods.push_back(
           {"Griffin, fitted to the others", 1., picture.light(regression(pictures, p, reach)), {}});
-      methods.push_back({"the same grey everywhere",
-                         std::numeric_limits<double>::quiet_NaN(),
-                         mean_light(picture, reach),
-                         {}});
+      add("the same grey everywhere", mean_light(picture, truth),
+          [](double grey) { return [grey](const SC::Screen_space_curvature&) { return grey; }; });
 
       if(findings.digests.empty())
       {
@@ -291,12 +287,12 @@ Findings measure_occlusion(const Settings& settings)
         findings.digests.emplace_back("occlusion_correlation",
                                       "Ambient occlusion: correlation with the ray-cast picture", columns);
       }
-      std::vector<Table::Cell> rms_row = {picture.name, reach == 0 ? "any" : "a tenth of the diagonal"},
+      std::vector<Table::Cell> rms_row = {picture.name, is_unlimited ? "any" : "a tenth of the diagonal"},
                                correlation_row = rms_row;
       for(Method& m : methods)
       {
         m.agreement = compare(m.light, truth);
-        findings.all.add({picture.name, picture.faces, reach == 0 ? "inf" : "0.2", m.name, m.parameter,
+        findings.all.add({picture.name, picture.faces, is_unlimited ? "inf" : "0.2", m.name, m.parameter,
                           m.agreement.pixels, m.agreement.rms, m.agreement.correlation});
         rms_row.emplace_back(m.agreement.rms);
         correlation_row.emplace_back(m.agreement.correlation);
@@ -304,7 +300,7 @@ Findings measure_occlusion(const Settings& settings)
       correlation_row.pop_back();
       findings.digests[0].add(rms_row);
       findings.digests[1].add(correlation_row);
-      if(reach > 0)
+      if(!is_unlimited)
         continue;
       const auto ours_beats = [&](const std::size_t m)
       { return methods[0].agreement.rms < methods[m].agreement.rms; };

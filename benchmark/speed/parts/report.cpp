@@ -1,7 +1,7 @@
 #include "report.h"
 
+#include "fitted_exponent.h"
 #include "goals.h"
-#include "power_law.h"
 
 #if __has_include(<support/Plot.h>) // what the examples share, where its dependencies are found
 #include <support/Plot.h>
@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <iomanip>
@@ -202,7 +203,7 @@ void write_costs(const std::vector<Curve>& list,
       const auto found = std::find(c.x.begin(), c.x.end(), x);
       out << " | " << (found == c.x.end() ? "–" : number(c.y[std::size_t(found - c.x.begin())]));
     }
-    out << " | " << number(fitted_exponent(c.x, c.y), 2) << " |\n";
+    out << " | " << number(benchmark_support::fitted_exponent(c.x, c.y), 2) << " |\n";
   }
 }
 

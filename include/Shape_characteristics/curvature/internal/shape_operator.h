@@ -100,13 +100,10 @@ inline Shape_operator_eigen eigen_of_shape_operator(const Eigen::Vector3d& norma
 
   std::tie(result.min_curvature, result.max_curvature) = eigenvalues_of_shape_operator(l, m, n);
   exponent_of_shape_operator(l, m, n);
-  double delta = 0.5 * (l - n), radius = std::sqrt(delta * delta + m * m);
-  if(radius < 1e-140) // the squares are inexact or vanish, though l and n may be of any size
-  {
-    delta *= 0x1p600;
-    m *= 0x1p600;
-    radius = std::sqrt(delta * delta + m * m);
-  }
+  double delta = 0.5 * (l - n), minus_delta = -delta;
+  // the curvatures' difference may be of another size than they are
+  exponent_of_shape_operator(delta, m, minus_delta);
+  const double radius = std::sqrt(delta * delta + m * m);
 
   // (radius + delta, m) and (m, radius - delta) are parallel; take the one that is the sum of two positive terms
   double c = 1, s = 0;

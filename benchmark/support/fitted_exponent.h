@@ -1,12 +1,12 @@
-#ifndef SHAPE_CHARACTERISTICS_BENCHMARK_SPEED_POWER_LAW_H
-#define SHAPE_CHARACTERISTICS_BENCHMARK_SPEED_POWER_LAW_H
+#ifndef SHAPE_CHARACTERISTICS_BENCHMARK_SUPPORT_FITTED_EXPONENT_H
+#define SHAPE_CHARACTERISTICS_BENCHMARK_SUPPORT_FITTED_EXPONENT_H
 
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
-namespace speed {
+namespace benchmark_support {
 
 /// The exponent p of the power law y = c x^p that fits best in logarithmic scales (least squares). NaN for less than two
 /// different x.
@@ -29,6 +29,6 @@ inline double fitted_exponent(const std::vector<double>& x, const std::vector<do
   return uu > 0. ? uv / uu : std::numeric_limits<double>::quiet_NaN();
 }
 
-} // namespace speed
+} // namespace benchmark_support
 
-#endif // SHAPE_CHARACTERISTICS_BENCHMARK_SPEED_POWER_LAW_H
+#endif // SHAPE_CHARACTERISTICS_BENCHMARK_SUPPORT_FITTED_EXPONENT_H
