@@ -28,7 +28,9 @@ if(SHAPE_CHARACTERISTICS_AVX2)
   check_cxx_source_runs("int main() { return __builtin_cpu_supports(\"avx2\") && __builtin_cpu_supports(\"fma\") ? 0 : 1; }"
     SHAPE_CHARACTERISTICS_HAS_AVX2)
   if(SHAPE_CHARACTERISTICS_HAS_AVX2)
-    target_compile_options(Shape_characteristics_development INTERFACE -mavx2 -mfma)
+    # Without expensive ones, GCC's optimizations at -O1 leave registers in a state that makes the C library slow.
+    target_compile_options(Shape_characteristics_development INTERFACE
+      -mavx2 -mfma $<$<CXX_COMPILER_ID:GNU>:-fexpensive-optimizations>)
   endif()
 endif()
 if(SHAPE_CHARACTERISTICS_SANITIZERS)

@@ -187,7 +187,8 @@ private:
 
   static double residual(const Pair& p, const Vector& s)
   {
-    return std::hypot(s[0] * p.x + s[1] * p.y - p.a, s[1] * p.x + s[2] * p.y - p.b);
+    const double a = s[0] * p.x + s[1] * p.y - p.a, b = s[1] * p.x + s[2] * p.y - p.b;
+    return std::sqrt(a * a + b * b); // std::hypot() would take most of the time of all
   }
 
   static double median(std::vector<double>& values)
