@@ -81,8 +81,10 @@ std::string Share::text() const
 {
   std::ostringstream out;
   const double percent = 100. * value();
-  out << std::setprecision(percent > 0. && percent < 2. ? 2 : 3) << percent << " % ("
-      << std::lround(100. * lower()) << "-" << std::lround(100. * upper()) << ")";
+  const auto rounded = [](const double share) // finer where little is left
+  { return share < .02 || share > .98 ? std::round(1000. * share) / 10. : std::round(100. * share); };
+  out << std::setprecision(percent > 0. && percent < 2. ? 2 : 3) << percent << " % (" << rounded(lower())
+      << "-" << rounded(upper()) << ")";
   return out.str();
 }
 
