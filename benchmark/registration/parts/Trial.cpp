@@ -82,7 +82,9 @@ std::string Share::text() const
   std::ostringstream out;
   const double percent = 100. * value();
   const auto rounded = [](const double share) // finer where little is left
-  { return share < .02 || share > .98 ? std::round(1000. * share) / 10. : std::round(100. * share); };
+  {
+    return (share < .02 || share > .98 ? std::round(1000. * share) / 10. : std::round(100. * share)) + 0.;
+  }; // no -0
   out << std::setprecision(percent > 0. && percent < 2. ? 2 : 3) << percent << " % (" << rounded(lower())
       << "-" << rounded(upper()) << ")";
   return out.str();
