@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_NORMALS_INTERNAL_WEIGHTED_NORMAL_H
 
 #include <Shape_characteristics/internal/length.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/normals/Normal_weighting.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
@@ -26,6 +27,14 @@ struct Rounded_vector
   bool is_significant() const { return value.allFinite() && length(value) > error; }
 };
 
+// a x b, to the last bit the opposite of b x a: one product of each difference may be fused with it, and then it matters which.
+inline Eigen::Vector3d antisymmetric_cross(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  const bool swaps = lexicographically_smaller(b, a);
+  const Eigen::Vector3d &p = swaps ? b : a, &q = swaps ? a : b;
+  return (swaps ? -1. : 1.) * p.cross(q);
+}
+
 // twice the area vector of a polygon, which need not be planar
 inline Rounded_vector doubled_area_vector(const Face_graph_samples& samples, std::size_t face)
 {
@@ -38,7 +47,7 @@ inline Rounded_vector doubled_area_vector(const Face_graph_samples& samples, std
     const Eigen::Vector3d a = samples.point(samples.vertex(face, k)) - origin;
     const Eigen::Vector3d b = samples.point(samples.vertex(face, k + 1)) - origin;
     const double a_length = length(a), b_length = length(b);
-    area.value += a.cross(b);
+    area.value += antisymmetric_cross(a, b);
     area.error += rounding * (a_length * b_length + magnitude * (a_length + b_length));
   }
   return area;
@@ -65,7 +74,7 @@ inline bool plain_max_normal(const Face_graph_samples& samples, std::size_t vert
         samples.point(samples.vertex(*f, corner == 0 ? n - 1 : corner - 1)) - p;
     const double next_square = to_next.squaredNorm(), previous_square = to_previous.squaredNorm();
     const double product = next_square * previous_square;
-    const Eigen::Vector3d cross = to_next.cross(to_previous);
+    const Eigen::Vector3d cross = antisymmetric_cross(to_next, to_previous);
     const double bound = factor * (product + position * (next_square + previous_square));
     if(!(cross.squaredNorm() > bound && product > smallest && product < largest))
       return false;
@@ -98,7 +107,7 @@ weighted_normal(const Face_graph_samples& samples, std::size_t vertex, Normal_we
     const double next_length = length(to_next), previous_length = length(to_previous);
 
     // Of unit edges: squared lengths of tiny or huge ones would under- or overflow.
-    const Eigen::Vector3d cross = (to_next / next_length).cross(to_previous / previous_length);
+    const Eigen::Vector3d cross = antisymmetric_cross(to_next / next_length, to_previous / previous_length);
     Rounded_vector term;
     switch(weighting)
     {
