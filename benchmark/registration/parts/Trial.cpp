@@ -81,10 +81,12 @@ std::string Share::text() const
 {
   std::ostringstream out;
   const double percent = 100. * value();
-  const auto rounded = [](const double share) // finer where little is left
+  // finer where little is left, and 0 instead of -0
+  const auto rounded = [](const double share)
   {
-    return (share < .02 || share > .98 ? std::round(1000. * share) / 10. : std::round(100. * share)) + 0.;
-  }; // no -0
+    const double steps = share < .02 || share > .98 ? 10. : 1.; // of a percent
+    return std::round(100. * steps * share) / steps + 0.;
+  };
   out << std::setprecision(percent > 0. && percent < 2. ? 2 : 3) << percent << " % (" << rounded(lower())
       << "-" << rounded(upper()) << ")";
   return out.str();

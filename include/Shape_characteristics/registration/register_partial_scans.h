@@ -141,8 +141,8 @@ CGAL::Aff_transformation_3<Kernel> to_cgal(const Eigen::Affine3d& motion)
   \return the motion and the verdict. `AMBIGUOUS` are objects that can slide on themselves (the parts of a plane, a sphere, a
           cylinder) or that a rotation brings to themselves (a cube): the other motions are among the alternatives. So are scans
           that only a reflection brings together, as the two sides of an object that have nothing in common but its plane of
-          symmetry: the reflection is the first of the alternatives. Points with coordinates or normals that aren't finite, and those with normals of no length, are left out; with less than 10 others
-          the verdict is `FAILED`.
+          symmetry: the reflection is the first of the alternatives. Points with coordinates or normals that aren't finite, and
+          those with normals of no length, are left out; with less than 10 others the verdict is `FAILED`.
 
   \throws std::invalid_argument if a point set has no normal map, or a parameter is out of its range
 

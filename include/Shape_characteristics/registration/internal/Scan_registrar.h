@@ -111,8 +111,10 @@ public:
             h.motion.linear().col(0) *= -1.;
             h.is_reflection = true;
           }
-          outcome = failure(other, Registration_obstacle::REFLECTION);
+          outcome = other;
           outcome.verdict = Registration_verdict::AMBIGUOUS;
+          outcome.obstacle = Registration_obstacle::REFLECTION;
+          outcome.confidence = 0.;
         }
       }
     }
