@@ -32,7 +32,7 @@ const Hrbf in_ball{[](const auto& np)
                    { return np.normals_are_exact(true).fits_are_shared(false).neighbor_radius(.5); }};
 const Hrbf with_level{[](const auto& np) { return np.noise_level(1e-3).number_of_passes(2u); }};
 const Hrbf with_level_own{[](const auto& np)
-                          { return np.noise_level(1e-3).number_of_passes(2u).fits_are_shared(false); }};
+                          { return np.noise_level(1e-3).number_of_passes(4u).fits_are_shared(false); }};
 const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyharmonic<3>()); }};
 
 const Hrbf cubic_exact{[](const auto& np)

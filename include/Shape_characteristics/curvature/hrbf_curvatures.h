@@ -100,7 +100,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{the standard deviation of the points from the surface, in units of the root mean square distance
                             of the 9 nearest neighbors}
       \cgalParamType{`double`}
-      \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood}
+      \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood. A surface
+                        that bends much from vertex to vertex is taken for noisy on strong evidence alone.}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{normal_noise_level}
@@ -113,7 +114,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
     \cgalParamNBegin{number_of_passes}
       \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}
       \cgalParamType{`unsigned int`}
-      \cgalParamDefault{1 if the noise level is below 0.0001, 2 otherwise}
+      \cgalParamDefault{1 if the noise level is below 0.0001; otherwise 2, or 3 if the surface bends little between its
+                        samples}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{sampling_distance}

@@ -131,19 +131,20 @@ public:
     return result;
   }
 
-  /// returns the logarithm of the probability density of the data at sample `i` and its 9 nearest neighbors, if the
-  /// points' noise was `noise_level`; NaN where there is no fit
-  double log_likelihood(std::size_t i, double noise_level, Workspace& workspace) const
+  /// returns the logarithm of the probability density of the data at sample `i` and its nearest neighbors, for which rings
+  /// grow if need be, if the points' noise was `noise_level`; NaN where there is no fit
+  double log_likelihood(std::size_t i,
+                        double noise_level,
+                        std::size_t number_of_neighbors,
+                        Workspace& workspace) const
   {
     static_assert(RadialBasisFunction::is_positive_definite);
-    if(!is_estimated(workspace.neighborhood.collect(m_surface, i, workspace.surface,
-                                                    internal::Scaled_neighborhood::nearest)))
+    if(!is_estimated(workspace.neighborhood.collect(m_surface, i, workspace.surface, number_of_neighbors,
+                                                    number_of_neighbors)))
       return std::numeric_limits<double>::quiet_NaN();
     set_up_noisy(workspace);
-    const double variance =
-        (std::max)(noise_level * noise_level, internal::nugget(workspace.neighborhood.rounding_error));
-    constexpr double normal_noise = internal::Noisy_fit_attempts::default_normal_noise_level;
-    return workspace.system.solve_positive_definite(variance, normal_noise * normal_noise)
+    const internal::Noisy_fit_attempts noise(workspace.neighborhood, noise_level);
+    return workspace.system.solve_positive_definite(noise.value_variance(), noise.derivative_variance())
                ? workspace.system.log_likelihood()
                : std::numeric_limits<double>::quiet_NaN();
   }

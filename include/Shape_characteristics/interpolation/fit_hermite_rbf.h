@@ -2,22 +2,20 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_FIT_HERMITE_RBF_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
-#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <type_traits>
@@ -27,103 +25,20 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// How often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex. With inexact normals
-// these are two passes, and the neighborhoods from which the noise is estimated.
+inline constexpr long long most_passes_by_default = 3;
+
+// How often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex: once for each pass.
+// With inexact normals, as many as are made over noise; the neighborhoods that tell of it are within that reach.
 template <typename NamedParameters>
 unsigned int reach_of_hermite_rbf(const NamedParameters& np)
 {
-  const bool normals_are_exact =
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::normals_are_exact), false);
-  return normals_are_exact ? 1 : 3;
-}
-
-// `count` (or all) of the samples that can be used, spread evenly over their lexicographic order: that of the input, and
-// samples that can't be used, don't matter.
-template <typename SampledSurface>
-std::vector<std::uint32_t> probes_of(const SampledSurface& surface, std::size_t count)
-{
-  std::vector<std::uint32_t> samples;
-  for(std::size_t i = 0; i < surface.size(); ++i)
-    if(is_estimated(surface.status(i)))
-      samples.push_back(std::uint32_t(i));
-  const auto is_before = [&](const std::uint32_t i, const std::uint32_t j)
-  {
-    if(surface.point(i) != surface.point(j))
-      return lexicographically_smaller(surface.point(i), surface.point(j));
-    return lexicographically_smaller(surface.normal(i), surface.normal(j));
-  };
-  const std::size_t probes = (std::min)(count, samples.size());
-  const auto rank = [&](const std::size_t k) { return (2 * k + 1) * samples.size() / (2 * probes); };
-  // The middle one of the probes to be found parts the samples; then the same with those on either side.
-  struct Part
-  {
-    std::size_t first_probe, last_probe, begin, end;
-  };
-  std::vector<Part> parts;
-  if(probes > 0)
-    parts.push_back({0, probes, 0, samples.size()});
-  while(!parts.empty())
-  {
-    const Part part = parts.back();
-    parts.pop_back();
-    const std::size_t middle = (part.first_probe + part.last_probe) / 2, place = rank(middle);
-    std::nth_element(samples.begin() + std::ptrdiff_t(part.begin), samples.begin() + std::ptrdiff_t(place),
-                     samples.begin() + std::ptrdiff_t(part.end), is_before);
-    if(part.first_probe < middle)
-      parts.push_back({part.first_probe, middle, part.begin, place});
-    if(middle + 1 < part.last_probe)
-      parts.push_back({middle + 1, part.last_probe, place + 1, part.end});
-  }
-  std::vector<std::uint32_t> result;
-  for(std::size_t k = 0; k < probes; ++k)
-    result.push_back(samples[rank(k)]);
-  return result;
-}
-
-/*
-  The standard deviation of the points, in units of the neighborhoods' sizes: of those on a grid, the one under which
-  the data of some neighborhoods together are likeliest. Each neighborhood alone knows too little to choose.
-*/
-template <typename SampledSurface, typename RadialBasisFunction>
-double estimate_noise_level(const SampledSurface& surface, const RadialBasisFunction& phi)
-{
-  constexpr std::size_t number_of_probes = 50;
-  constexpr int first_exponent = -12, last_exponent = -1; // of the variance
-  constexpr std::size_t levels = last_exponent - first_exponent + 1;
-  std::vector<double> level(levels);
-  for(std::size_t e = 0; e < levels; ++e)
-    level[e] = std::pow(10., (first_exponent + int(e)) / 2.);
-
-  const std::vector<std::uint32_t> probes = probes_of(surface, number_of_probes);
-  using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
-  const std::vector<double> of_probe =
-      Fit(surface, phi, typename Fit::Options()).log_likelihoods(probes, level);
-  std::array<double, levels> likelihood{};
-  std::array<std::size_t, levels> failures{};
-  std::size_t used = 0;
-  for(std::size_t k = 0; k < probes.size(); ++k)
-  {
-    if(!std::isfinite(of_probe[(k + 1) * levels - 1])) // there is no surface at all
-      continue;
-    ++used;
-    double last = 0.;
-    for(std::size_t e = levels; e-- > 0;)
-    {
-      if(std::isfinite(of_probe[k * levels + e]))
-        last = of_probe[k * levels + e];
-      else
-        ++failures[e];
-      likelihood[e] += last;
-    }
-  }
-  // The lowest level that isn't clearly worse than the best one: noise is assumed on strong evidence alone, for a
-  // surface that bends much between its samples looks a little noisy as well.
-  constexpr double evidence = 1.5; // per probe
-  const double threshold = *std::max_element(likelihood.begin(), likelihood.end()) - evidence * double(used);
-  std::size_t best = 0;
-  while(best + 1 < levels && (10 * failures[best] > used || likelihood[best] < threshold))
-    ++best;
-  return level[best];
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))
+    return 1;
+  const auto passes =
+      static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
+  return static_cast<unsigned int>((std::max)(most_passes_by_default, passes));
 }
 
 // Progress of several passes as progress of one.
@@ -236,9 +151,13 @@ private:
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
-      options.noise_level = m_noise_level >= 0. ? m_noise_level : estimate_noise_level(surface, phi);
+      const Noise_probes<SampledSurface> probes(surface);
+      options.noise_level = m_noise_level >= 0. ? m_noise_level : probes.level(phi);
       options.normal_noise_level = m_normal_noise_level;
-      passes = m_passes > 0 ? m_passes : options.noise_level < 1e-4 ? 1 : 2;
+      passes = m_passes > 0                     ? m_passes
+               : options.noise_level < 1e-4     ? 1
+               : !probes.surface_bends_little() ? 2
+                                                : std::size_t(most_passes_by_default);
     }
     // where a single sample is asked for, its neighbors are smoothed as well
     std::optional<Sample_patches> of_all;

@@ -126,7 +126,7 @@ public:
   double noise_level()
   {
     if(m_noise_level < 0.)
-      m_noise_level = estimate_noise_level(m_surface, Matern_9_2());
+      m_noise_level = Noise_probes<SampledSurface>(m_surface).level(Matern_9_2());
     return m_noise_level;
   }
 

@@ -161,12 +161,13 @@ public:
   }
 
   /*
-    The logarithm of the probability density of the data at each of `samples` and its 9 nearest neighbors, for each of
+    The logarithm of the probability density of the data at each of `samples` and its nearest neighbors, for each of
     `noise_levels`, up to a constant for each sample; NaN where there is no fit. The levels of a sample are next to each
     other.
   */
   std::vector<double> log_likelihoods(const std::vector<Index>& samples,
-                                      const std::vector<double>& noise_levels) const
+                                      const std::vector<double>& noise_levels,
+                                      std::size_t number_of_neighbors) const
   {
     Workspace workspace;
     std::vector<double> result(samples.size() * noise_levels.size(),
@@ -175,7 +176,7 @@ public:
     {
       const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
       if(!is_estimated(workspace.m_neighborhood.collect(m_surface, samples[k], workspace.m_surface,
-                                                        Scaled_neighborhood::nearest)))
+                                                        number_of_neighbors, number_of_neighbors)))
         continue;
       Task task = store(neighborhood, workspace);
       for(std::size_t level = 0; level < noise_levels.size(); ++level)

@@ -27,18 +27,19 @@ public:
       9; // neighbors that tell the level of noise: so few that a smooth surface
          // bends little between them
 
-  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors. All else is undefined if the status isn't
-  // one of an estimate.
+  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors; if there are less than `desired`, rings
+  // grow. All else is undefined if the status isn't one of an estimate.
   template <typename SampledSurface>
   Estimation_status collect(const SampledSurface& surface,
                             std::size_t i,
                             typename SampledSurface::Workspace& workspace,
-                            std::size_t limit = (std::numeric_limits<std::size_t>::max)())
+                            std::size_t limit = (std::numeric_limits<std::size_t>::max)(),
+                            std::size_t desired = s_desired)
   {
     const Estimation_status status = surface.status(i);
     if(!is_estimated(status))
       return status;
-    const auto& neighbors = surface.neighbors(i, s_desired, workspace);
+    const auto& neighbors = surface.neighbors(i, desired, workspace);
     if(neighbors.size() < s_minimum)
       return Estimation_status::FEW_NEIGHBOURS;
 
