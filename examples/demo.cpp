@@ -29,7 +29,7 @@
 #include <CGAL/Point_set_3/IO/XYZ.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <chrono>
 #include <cmath>
@@ -297,7 +297,7 @@ void show_mesh(Demo& demo, const std::string& name, double tail)
 {
   Mesh mesh;
   const std::string file_name = support::data_file("meshes/" + name + ".off");
-  if(!CGAL::IO::read_OFF(file_name, mesh))
+  if(!CGAL::IO::read_polygon_mesh(file_name, mesh))
     throw std::runtime_error("cannot read " + file_name);
   show(demo, mesh, support::drawable_mesh(mesh), name, tail);
 }

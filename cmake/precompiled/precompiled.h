@@ -11,11 +11,21 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/for_each.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Dense>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/scalable_allocator.h>
+#endif
+
+#include <functional>
+#include <mutex>
 #include <string>
+#include <unordered_map>
 
 extern template bool CGAL::IO::read_polygon_mesh(const std::string&,
                                                  CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>&,

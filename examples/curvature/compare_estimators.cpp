@@ -12,7 +12,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cstdlib>
 #include <iostream>
@@ -26,7 +26,7 @@ int main(int argc, char* argv[])
 {
   const std::string file_name = support::data_file("meshes/lion-head.off");
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(file_name, mesh))
+  if(!CGAL::IO::read_polygon_mesh(file_name, mesh))
     return EXIT_FAILURE;
   auto H = mesh.add_property_map<Mesh::Vertex_index, double>("v:mean_curvature").first;
   const auto np = SC::parameters::vertex_mean_curvature_map(H);

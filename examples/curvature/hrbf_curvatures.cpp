@@ -8,7 +8,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <Eigen/Core>
 
@@ -27,7 +27,7 @@ int main()
 {
   // a sphere that is stretched to the ellipsoid (x/3)^2 + (y/2)^2 + (z/2)^2 = 1; its gradients are its normals
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(support::data_file("meshes/larger_sphere.off"), mesh))
+  if(!CGAL::IO::read_polygon_mesh(support::data_file("meshes/larger_sphere.off"), mesh))
     return EXIT_FAILURE;
   const Eigen::Vector3d axes(3, 2, 2);
   const Eigen::Matrix3d hessian = (2 / axes.array().square()).matrix().asDiagonal();

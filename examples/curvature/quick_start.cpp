@@ -5,7 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <iostream>
 
@@ -15,7 +15,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(argc > 1 ? argv[1] : support::data_file("meshes/elephant.off"), mesh))
+  if(!CGAL::IO::read_polygon_mesh(argc > 1 ? argv[1] : support::data_file("meshes/elephant.off"), mesh))
     return 1;
   auto H = mesh.add_property_map<Mesh::Vertex_index, double>("v:mean_curvature").first;
   const std::size_t failed = SC::hrbf_curvatures(mesh, SC::parameters::vertex_mean_curvature_map(H));

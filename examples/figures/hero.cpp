@@ -12,7 +12,7 @@
 #include <CGAL/Point_set_3/IO/XYZ.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -29,7 +29,7 @@ using Point_set = CGAL::Point_set_3<Point_3>;
 support::Drawable mesh_with_curvature(const std::string& file_name)
 {
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(file_name, mesh))
+  if(!CGAL::IO::read_polygon_mesh(file_name, mesh))
     throw std::runtime_error("cannot read " + file_name);
   auto H = mesh.add_property_map<Mesh::Vertex_index, double>("v:mean_curvature").first;
   SC::hrbf_curvatures(mesh, SC::parameters::vertex_mean_curvature_map(H));

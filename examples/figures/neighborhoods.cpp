@@ -8,7 +8,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -78,7 +78,7 @@ support::Image draw(const Mesh& mesh, Index center, const SC::Neighborhood& neig
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(support::data_file("meshes/bunny00.off"), mesh))
+  if(!CGAL::IO::read_polygon_mesh(support::data_file("meshes/bunny00.off"), mesh))
     return EXIT_FAILURE;
   const Index center = 1000;
   SC::Face_graph_samples::Workspace workspace;

@@ -6,7 +6,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +22,7 @@ int main()
 {
   // a sphere that is stretched to the ellipsoid (x/3)^2 + (y/2)^2 + (z/2)^2 = 1
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(support::data_file("meshes/larger_sphere.off"), mesh))
+  if(!CGAL::IO::read_polygon_mesh(support::data_file("meshes/larger_sphere.off"), mesh))
     return EXIT_FAILURE;
   for(auto v : mesh.vertices())
   {

@@ -5,7 +5,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ int main()
 {
   // the vertices lie on the unit sphere: a normal should be equal to its point
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(support::data_file("meshes/larger_sphere.off"), mesh))
+  if(!CGAL::IO::read_polygon_mesh(support::data_file("meshes/larger_sphere.off"), mesh))
     return EXIT_FAILURE;
 
   auto normals = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:normal").first;

@@ -8,7 +8,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Surface_mesh/IO/OFF.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/property_map.h>
 
 #include <cstdlib>
@@ -40,7 +40,7 @@ std::size_t count_neighbors(const std::string& name, const Samples& samples)
 int main()
 {
   Mesh mesh;
-  if(!CGAL::IO::read_OFF(support::data_file("meshes/elephant.off"), mesh))
+  if(!CGAL::IO::read_polygon_mesh(support::data_file("meshes/elephant.off"), mesh))
     return EXIT_FAILURE;
 
   const SC::Face_graph_samples one_ring(mesh, mesh.points(), SC::Neighborhood::rings(1));

@@ -1,6 +1,8 @@
 #define BOOST_TEST_MODULE hrbf_accuracy
 #include <boost/test/unit_test.hpp>
 
+#include "../../benchmark/support/tessellations.h"
+#include "../../benchmark/support/test_functions.h"
 #include "hrbf_estimator.h"
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
@@ -10,9 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -48,6 +52,30 @@ const Hrbf exponential_oriented{[](const auto& np)
                                       .radial_basis_function(SC::Exponential_cubic())
                                       .shape_parameter_box(SC::Shape_parameter_box::ORIENTED);
                                 }};
+
+const Hrbf unaware{[](const auto& np) { return np.noise_level(0.).number_of_passes(1u); }};
+
+template <typename Function>
+Analytic_surface
+analytic_surface(const Function& f, const benchmark_support::Triangle_arrays& mesh, std::string name)
+{
+  Analytic_surface s;
+  s.name = std::move(name);
+  s.points = mesh.points;
+  s.triangles = mesh.triangles;
+  const std::vector<std::size_t> rings = benchmark_support::rings_from_border(mesh);
+  for(std::size_t i = 0; i < s.points.size(); ++i)
+  {
+    const auto& p = s.points[i];
+    s.exact.emplace_back();
+    if constexpr(std::is_same_v<Function, benchmark_support::Explicit_function>)
+      static_cast<benchmark_support::Exact_curvature&>(s.exact.back()) = f.exact(p.x, p.y);
+    else
+      static_cast<benchmark_support::Exact_curvature&>(s.exact.back()) = f.exact(p);
+    s.exact.back().border = rings[i] == 0;
+  }
+  return s;
+}
 
 // Every vertex: `bound` is that of the errors in units of the largest curvature, of the curvatures and (thrice as large) of
 // the directions, weighted by how much they matter; `others` of surfaces of which more, or less, is expected.
@@ -292,7 +320,6 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_system_of_the_thesis)
 // with noise on the points, the default is better than a fit that takes them as they are
 BOOST_AUTO_TEST_CASE(noise)
 {
-  const Hrbf unaware{[](const auto& np) { return np.noise_level(0.).number_of_passes(1u); }};
   for(Analytic_surface s :
       {test_support::torus(1., .4, 64, 32, .2, 6), test_support::ellipsoid(1., .8, .6, 4, .2, 5)})
   {
@@ -308,5 +335,36 @@ BOOST_AUTO_TEST_CASE(noise)
                               << ", unaware " << error_of_unaware);
     BOOST_TEST(error < error_of_unaware / 10.);
     BOOST_TEST(error_of_three < error / 1.2);
+  }
+}
+
+// noise that varies slowly from vertex to vertex, as that of marching cubes on a coarse grid
+BOOST_AUTO_TEST_CASE(noise_of_marching_cubes)
+{
+  const auto& f = benchmark_support::implicit_function("f4i");
+  const Analytic_surface s = analytic_surface(
+      f, benchmark_support::marching_cubes_tessellation(f, 96, benchmark_support::Edge_crossing::LINEAR),
+      f.name);
+  const double error = errors(s, run(by_default, s, Normals::ESTIMATED), 0.).mean;
+  const double error_of_unaware = errors(s, run(unaware, s, Normals::ESTIMATED), 0.).mean;
+  const double error_of_three = errors(s, run(three_rings, s, Normals::ESTIMATED), 0.).mean;
+  BOOST_TEST_MESSAGE(s.name << ": mean error " << error << ", with 3 rings " << error_of_three << ", unaware "
+                            << error_of_unaware);
+  BOOST_TEST(error < error_of_unaware / 2.);
+  BOOST_TEST(error_of_three < error_of_unaware / 4.);
+}
+
+// what bends much between its samples isn't taken for noisy
+BOOST_AUTO_TEST_CASE(coarse_surfaces)
+{
+  const auto& f = benchmark_support::explicit_function("f2e");
+  for(const Analytic_surface& s :
+      {analytic_surface(f, benchmark_support::random_tessellation(f, 3500, 1), "f2e, random points"),
+       analytic_surface(f, benchmark_support::grid_tessellation(f, 71), "f2e, grid")})
+  {
+    const double error = errors(s, run(by_default, s, Normals::ESTIMATED), 1.).mean;
+    const double error_of_unaware = errors(s, run(unaware, s, Normals::ESTIMATED), 1.).mean;
+    BOOST_TEST_MESSAGE(s.name << ": mean error " << error << ", unaware " << error_of_unaware);
+    BOOST_TEST(error < 1.1 * error_of_unaware);
   }
 }
