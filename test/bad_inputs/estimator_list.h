@@ -14,6 +14,7 @@
 #include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
+#include <Shape_characteristics/curvature/kalogerakis_normals.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
 #include <Shape_characteristics/curvature/moving_least_squares_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
@@ -425,6 +426,9 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;
     e.difference_of_fits = .05;
   }
+  const auto robust_normals = [](auto&&... a)
+  { return SC::kalogerakis_normals(std::forward<decltype(a)>(a)...); };
+  list.add_normals("kalogerakis_normals", robust_normals, defaults);
   return list.estimators();
 }
 

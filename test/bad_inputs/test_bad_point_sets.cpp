@@ -249,7 +249,8 @@ BOOST_AUTO_TEST_CASE(coincident_points)
       if(!estimator.has_pattern)
       {
         // not if its parameter is the neighbors' spacing, or if it sees what the neighbors make of the copies
-        if(estimator.name.find("Exponential") == std::string::npos && estimator.name != "kalogerakis")
+        if(estimator.name.find("Exponential") == std::string::npos &&
+           estimator.name.rfind("kalogerakis", 0) != 0)
           BOOST_TEST(same_but_for_fits(estimator, six_times.samples[middle], once.samples[middle]));
         for(std::size_t i = 0; i < n; ++i)
           if(distance(points, i, middle) > distance_of_sight(estimator))

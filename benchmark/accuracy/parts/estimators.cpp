@@ -9,6 +9,7 @@
 #include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 #include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
+#include <Shape_characteristics/curvature/kalogerakis_normals.h>
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
 #include <Shape_characteristics/curvature/moving_least_squares_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
@@ -180,14 +181,15 @@ void razdan_bae(const Task& t)
 }
 
 // It begins with normals of the mesh's own.
-std::function<void(const Task&)> kalogerakis(unsigned int rings)
+std::function<void(const Task&)> kalogerakis(unsigned int rings, unsigned int passes)
 {
-  return [rings](const Task& t)
+  return [rings, passes](const Task& t)
   {
     SC::kalogerakis_curvatures(t.mesh,
                                SC::parameters::vertex_principal_curvatures_and_directions_map(t.curvatures)
                                    .vertex_status_map(t.statuses)
-                                   .number_of_rings(rings));
+                                   .number_of_rings(rings)
+                                   .number_of_passes(passes));
   };
 }
 
@@ -205,6 +207,12 @@ std::function<void(const Mesh&, Normal_map)> refitted(Basis basis_function, unsi
     SC::hrbf_normals(mesh, normals,
                      SC::parameters::number_of_rings(rings).radial_basis_function(basis_function));
   };
+}
+
+std::function<void(const Mesh&, Normal_map)> robust(unsigned int rings)
+{
+  return [rings](const Mesh& mesh, Normal_map normals)
+  { SC::kalogerakis_normals(mesh, normals, SC::parameters::number_of_rings(rings)); };
 }
 
 void refitted_by_default(const Mesh& mesh, Normal_map normals)
@@ -247,8 +255,10 @@ const std::vector<Estimator>& estimators()
       {"Taubin", "1 ring", everywhere(), taubin},
       {"Goldfeather-Interrante", "1 ring", everywhere("GI"), goldfeather_interrante(1)},
       {"Goldfeather-Interrante", "2 rings", everywhere("GI"), goldfeather_interrante(2)},
-      {"Kalogerakis", "1 ring", everywhere("Kal"), kalogerakis(1)},
-      {"Kalogerakis", "2 rings", everywhere("Kal"), kalogerakis(2)},
+      {"Kalogerakis, one pass", "1 ring", everywhere("Kal"), kalogerakis(1, 1)},
+      {"Kalogerakis, one pass", "2 rings", everywhere("Kal"), kalogerakis(2, 1)},
+      {"Kalogerakis", "1 ring", everywhere("Kal"), kalogerakis(1, 2)},
+      {"Kalogerakis", "2 rings", everywhere("Kal"), kalogerakis(2, 2)},
       {"normal cycle", "2 edges", everywhere(), normal_cycle(2)},
       {"normal cycle", "4 edges", everywhere(), normal_cycle(4), Cost::HIGH},
       {"Batagelo-Wu", "1 ring", everywhere(), batagelo_wu},
@@ -273,6 +283,8 @@ const std::vector<Normal_estimator>& normal_estimators()
       {"HRBF r^3", "2 rings", "HRBF 2", refitted(SC::Polyharmonic<3>(), 2)},
       {"HRBF r^3", "4 rings", "HRBF 4", refitted(SC::Polyharmonic<3>(), 4), Cost::HIGH},
       {"HRBF default", "2 rings", "", refitted_by_default},
+      {"Kalogerakis", "1 ring", "Kal", robust(1)},
+      {"Kalogerakis", "2 rings", "Kal", robust(2)},
       {"average", "1 ring", "Avg", weighted(SC::Normal_weighting::AVERAGE)},
       {"area", "1 ring", "", weighted(SC::Normal_weighting::AREA)},
       {"angle", "1 ring", "", weighted(SC::Normal_weighting::ANGLE)},

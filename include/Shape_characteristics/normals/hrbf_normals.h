@@ -4,27 +4,17 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/write_normals.h>
 #include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
-#include <CGAL/Kernel_traits.h>
-
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
-
-struct Normal_estimate
-{
-  Estimation_status status = Estimation_status::CANCELLED;
-  Eigen::Vector3d normal = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-};
 
 template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>
 std::vector<Normal_estimate>
@@ -41,13 +31,6 @@ hrbf_normal_estimates(SampledSurface& surface, std::size_t size, const NamedPara
         return estimate;
       },
       np);
-}
-
-template <typename Vector_3>
-Vector_3 to_vector(const Eigen::Vector3d& v)
-{
-  using FT = typename CGAL::Kernel_traits<Vector_3>::Kernel::FT;
-  return Vector_3(FT(v.x()), FT(v.y()), FT(v.z()));
 }
 
 } // namespace internal
@@ -90,22 +73,9 @@ std::size_t hrbf_normals(const FaceGraph& mesh,
                          VertexNormalMap normals,
                          const NamedParameters& np = parameters::default_values())
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  using Vector_3 = typename boost::property_traits<VertexNormalMap>::value_type;
-
   Face_graph_samples surface = sampled_surface<ConcurrencyTag>(mesh, internal::mesh_neighborhood(np), np);
   const auto estimates = internal::hrbf_normal_estimates<ConcurrencyTag>(surface, surface.size(), np);
-  std::size_t failures = 0, i = 0;
-  for(const auto v : vertices(mesh))
-  {
-    const internal::Normal_estimate& estimate = estimates[i++];
-    put(normals, v, internal::to_vector<Vector_3>(estimate.normal));
-    if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value)
-      put(get_parameter(np, internal_np::vertex_status_map), v, estimate.status);
-    failures += !is_estimated(estimate.status);
-  }
-  return failures;
+  return internal::write_normals_to_mesh(mesh, normals, estimates, np);
 }
 
 /*!
@@ -163,22 +133,9 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
 std::size_t
 hrbf_normals(PointRange&& points, NormalMap normals, const NamedParameters& np = parameters::default_values())
 {
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-  using Vector_3 = typename boost::property_traits<NormalMap>::value_type;
-
   Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np), np);
   const auto estimates = internal::hrbf_normal_estimates<ConcurrencyTag>(surface, surface.size(), np);
-  std::size_t failures = 0, i = 0;
-  for(auto&& item : points)
-  {
-    const internal::Normal_estimate& estimate = estimates[i++];
-    put(normals, item, internal::to_vector<Vector_3>(estimate.normal));
-    if constexpr(!is_default_parameter<NamedParameters, internal_np::status_map_t>::value)
-      put(get_parameter(np, internal_np::status_map), item, estimate.status);
-    failures += !is_estimated(estimate.status);
-  }
-  return failures;
+  return internal::write_normals_to_points(points, normals, estimates, np);
 }
 
 } // namespace Shape_characteristics

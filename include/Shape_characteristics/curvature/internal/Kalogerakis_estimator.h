@@ -1,0 +1,409 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_KALOGERAKIS_ESTIMATOR_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_KALOGERAKIS_ESTIMATOR_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
+#include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
+#include <Shape_characteristics/internal/write_normals.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// The shape operator [l m; m n] that explains weighted pairs of points best: (da, db) = S (x, y) per unit of length.
+class Pair_equations
+{
+public:
+  void add(double weight, double x, double y, double a, double b)
+  {
+    m_xx += weight * x * x;
+    m_xy += weight * x * y;
+    m_yy += weight * y * y;
+    m_l += weight * x * a;
+    m_m += weight * (y * a + x * b);
+    m_n += weight * y * b;
+  }
+
+  bool solve(Eigen::Vector3d& s) const
+  {
+    const double trace = m_xx + m_yy, d = determinant(m_xx, m_xy, m_yy);
+    if(!(d > 1e-10 * trace * trace))
+      return false;
+    const double inverse = 1. / (trace * d), b2 = -m_xy * m_yy, b5 = -m_xx * m_xy, qq = m_xy * m_xy;
+    s = {((m_yy * m_yy + d) * m_l + b2 * m_m + qq * m_n) * inverse,
+         (b2 * m_l + m_xx * m_yy * m_m + b5 * m_n) * inverse,
+         (qq * m_l + b5 * m_m + (m_xx * m_xx + d) * m_n) * inverse};
+    return s.allFinite();
+  }
+
+private:
+  double m_xx = 0., m_xy = 0., m_yy = 0., m_l = 0., m_m = 0., m_n = 0.;
+};
+
+// how often normals are to be estimated anew
+template <typename NamedParameters>
+unsigned int passes_of_kalogerakis(const NamedParameters& np)
+{
+  const auto passes = static_cast<long long>(
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_passes), 2));
+  if(passes < 1 || passes > 1000)
+    throw std::invalid_argument("Shape_characteristics: number_of_passes must be between 1 and 1000");
+  return static_cast<unsigned int>(passes);
+}
+
+template <typename SampledSurface>
+class Kalogerakis_estimator
+{
+  using Index = typename SampledSurface::Index;
+  using Vector = Eigen::Vector3d;
+
+  // a sample in the frame of the one in the middle: position, and normal without its part along the axis
+  struct Point
+  {
+    double x, y, a, b;
+  };
+
+  // the difference of two of them, per unit of length
+  struct Pair
+  {
+    double x, y, a, b;
+    std::uint32_t farther; // of the two, the place among the neighbors
+    bool is_central;       // one of the two is the sample in the middle
+  };
+
+public:
+  struct Workspace
+  {
+    typename SampledSurface::Workspace neighbors;
+    std::vector<Point> points;
+    std::vector<Pair> pairs;
+    std::vector<double> residuals, sorted, weights;
+  };
+
+  // For all samples: normals are estimated anew `passes` times, each time from neighbors with the normals before. Where the
+  // callback stops it, there are no new normals.
+  template <typename ConcurrencyTag>
+  Kalogerakis_estimator(SampledSurface& surface,
+                        unsigned int passes,
+                        ConcurrencyTag,
+                        const std::function<bool(double)>& callback = {})
+    : m_surface(surface),
+      m_status_of_normal(surface.size(), Estimation_status::CANCELLED)
+  {
+    for(unsigned int pass = 0; pass < passes; ++pass)
+    {
+      std::function<bool(double)> callback_of_all;
+      if(callback)
+        callback_of_all = [&](const double advancement)
+        { return callback((double(pass) + advancement) / double(passes)); };
+      std::vector<Vector> normals(surface.size());
+      const bool is_complete = for_each_sample<ConcurrencyTag, Workspace>(
+          surface.size(),
+          [&](const std::size_t i, Workspace& workspace) { normals[i] = improved_normal(i, workspace); },
+          callback_of_all);
+      if(!is_complete)
+      {
+        m_status_of_normal.assign(surface.size(), Estimation_status::CANCELLED);
+        return;
+      }
+      surface.set_normals(std::move(normals));
+    }
+  }
+
+  // for sample 0 alone: the last pass for its neighbors, the one before for the neighbors of those
+  Kalogerakis_estimator(SampledSurface& surface, unsigned int passes)
+    : m_surface(surface),
+      m_status_of_normal(surface.size(), Estimation_status::CANCELLED)
+  {
+    Workspace workspace;
+    std::vector<Index> near(1, 0);
+    std::vector<bool> is_near(surface.size(), false);
+    std::vector<std::size_t> within(passes); // as many hops from neighbors to neighbors, and one
+    is_near[0] = true;
+    std::size_t k = 0;
+    for(std::size_t& end : within)
+    {
+      for(const std::size_t before = near.size(); k < before; ++k)
+      {
+        std::vector<Index> neighbors; // those from which the fit is made in the end
+        fit_to_neighbors(surface, near[k], s_minimum, workspace.neighbors,
+                         [&](const std::vector<Index>& found)
+                         {
+                           Vector t1, t2, s;
+                           double size;
+                           neighbors = found;
+                           const bool fits = fit(near[k], found, workspace, t1, t2, size, s);
+                           return Curvature_estimate(fits ? Estimation_status::ESTIMATED
+                                                          : Estimation_status::DEGENERATE);
+                         });
+        for(const Index j : neighbors)
+          if(!is_near[j])
+          {
+            is_near[j] = true;
+            near.push_back(j);
+          }
+      }
+      end = near.size();
+    }
+    std::vector<Vector> normals(surface.size());
+    for(std::size_t i = 0; i < surface.size(); ++i)
+      normals[i] = surface.normal(i);
+    for(unsigned int pass = 0; pass < passes; ++pass)
+    {
+      for(std::size_t j = 0; j < within[passes - 1 - pass]; ++j)
+        normals[near[j]] = improved_normal(near[j], workspace);
+      surface.set_normals(normals);
+    }
+  }
+
+  Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
+  {
+    return fit_to_neighbors(m_surface, i, s_minimum, workspace.neighbors,
+                            [&](const std::vector<Index>& neighbors)
+                            {
+                              Vector t1, t2, s;
+                              double size;
+                              if(!fit(i, neighbors, workspace, t1, t2, size, s))
+                                return Curvature_estimate(Estimation_status::DEGENERATE);
+                              return Curvature_estimate(m_surface.status(i),
+                                                        eigen_of_shape_operator(m_surface.normal(i),
+                                                                                s[0] / size, s[1] / size,
+                                                                                s[2] / size, t1, t2));
+                            });
+  }
+
+  // the normal that was estimated anew
+  Normal_estimate normal(std::size_t i) const
+  {
+    Normal_estimate estimate;
+    estimate.status = m_status_of_normal[i];
+    if(is_estimated(estimate.status))
+      estimate.normal = m_surface.normal(i);
+    return estimate;
+  }
+
+private:
+  static constexpr std::size_t s_minimum = 3;
+  static constexpr int s_steps = 30;
+  // A median of residuals times this is the standard deviation of a normal distribution.
+  static constexpr double s_deviation_of_median = 1.4826;
+  // Residuals that are this small compared to the bend of the neighborhood, or absolutely (a plane), are no outliers.
+  static constexpr double s_smallest_deviation = 1e-3, s_rounding = 1e-12;
+  // Points that are nearer to each other in the tangent plane, in units of the neighborhood's size, say nothing.
+  static constexpr double s_shortest = 1e-3;
+  // of deviations: what is farther is across a feature, and cut off
+  static constexpr double s_cut_off = 3.;
+
+  // weights of M-estimation by Geman and McClure, relative to that of no residual
+  static double weight(double residual, double deviation)
+  {
+    if(residual > s_cut_off * deviation)
+      return 0.;
+    const double r = residual / deviation, w = 1. / (1. + r * r);
+    return w * w;
+  }
+
+  static double residual(const Pair& p, const Vector& s)
+  {
+    const double a = s[0] * p.x + s[1] * p.y - p.a, b = s[1] * p.x + s[2] * p.y - p.b;
+    return std::sqrt(a * a + b * b); // std::hypot() would take most of the time of all
+  }
+
+  static double median(std::vector<double>& values)
+  {
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
+  // the residuals of all pairs; returns the median of those that the sample in the middle is part of
+  double measure(const Vector& s, Workspace& w) const
+  {
+    w.residuals.resize(w.pairs.size());
+    w.sorted.clear();
+    for(std::size_t k = 0; k < w.pairs.size(); ++k)
+    {
+      w.residuals[k] = residual(w.pairs[k], s);
+      if(w.pairs[k].is_central)
+        w.sorted.push_back(w.residuals[k]);
+    }
+    return median(w.sorted);
+  }
+
+  // the same median alone
+  double median_of_central(const Vector& s, Workspace& w) const
+  {
+    w.sorted.clear();
+    for(const Pair& pair : w.pairs)
+      if(pair.is_central)
+        w.sorted.push_back(residual(pair, s));
+    return median(w.sorted);
+  }
+
+  // The shape operator, in units of the neighborhood's size, and the weights of the pairs in the end. False if the neighbors
+  // don't determine it.
+  bool fit(std::size_t i,
+           const std::vector<Index>& neighbors,
+           Workspace& w,
+           Vector& t1,
+           Vector& t2,
+           double& size,
+           Vector& s) const
+  {
+    const Vector& p = m_surface.point(i);
+    const Vector& n = m_surface.normal(i);
+    tangent_basis(n, t1, t2);
+    size = size_of_neighborhood(m_surface, i, neighbors);
+    if(!(size > 0. && std::isfinite(size)))
+      return false;
+    w.points.assign(1, {0., 0., 0., 0.});
+    for(const Index j : neighbors)
+    {
+      const Vector d = (m_surface.point(j) - p) / size, change = m_surface.normal(j) - n;
+      w.points.push_back({d.dot(t1), d.dot(t2), change.dot(t1), change.dot(t2)});
+    }
+    // every point with every other one
+    w.pairs.clear();
+    for(std::size_t j = 1; j < w.points.size(); ++j)
+      for(std::size_t k = 0; k < j; ++k)
+      {
+        const Point &a = w.points[j], &b = w.points[k];
+        const double length = std::hypot(a.x - b.x, a.y - b.y);
+        if(length > s_shortest)
+          w.pairs.push_back({(a.x - b.x) / length, (a.y - b.y) / length, (a.a - b.a) / length,
+                             (a.b - b.b) / length, std::uint32_t(j), k == 0});
+      }
+    if(w.pairs.size() < 3 ||
+       std::none_of(w.pairs.begin(), w.pairs.end(), [](const Pair& pair) { return pair.is_central; }))
+      return false;
+
+    // The first guess is the one with the least median of residuals, of fits by least squares to the nearest points, to the
+    // nearer ones, and to all, and of fits to the triangles of the sample and two points.
+    double least = -1.;
+    const auto consider = [&](const Pair_equations& equations)
+    {
+      Vector guess;
+      if(!equations.solve(guess))
+        return;
+      const double m = median_of_central(guess, w);
+      if(least < 0. || m < least)
+      {
+        least = m;
+        s = guess;
+      }
+    };
+    const std::size_t count = neighbors.size();
+    for(const std::size_t nearest : {(count + 2) / 3, (2 * count + 2) / 3, count})
+    {
+      Pair_equations equations;
+      for(const Pair& pair : w.pairs)
+        if(pair.farther <= nearest)
+          equations.add(1., pair.x, pair.y, pair.a, pair.b);
+      consider(equations);
+    }
+    for(std::size_t j = 1; j <= count; ++j)
+      for(const std::size_t step : {std::size_t(1), std::size_t(2)})
+      {
+        const std::size_t k = j + step;
+        if(k > count)
+          continue;
+        Pair_equations equations;
+        for(const auto& [f, g] :
+            {std::pair(j, std::size_t(0)), std::pair(k, std::size_t(0)), std::pair(k, j)})
+        {
+          const Point &a = w.points[f], &b = w.points[g];
+          const double length = std::hypot(a.x - b.x, a.y - b.y);
+          if(length > s_shortest)
+            equations.add(1., (a.x - b.x) / length, (a.y - b.y) / length, (a.a - b.a) / length,
+                          (a.b - b.b) / length);
+        }
+        consider(equations);
+      }
+    if(least < 0.)
+      return false;
+
+    // Reweighted least squares, with the deviation that the first guess has.
+    measure(s, w);
+    const double bend = std::sqrt(s[0] * s[0] + 2. * s[1] * s[1] + s[2] * s[2]);
+    // so few residuals have too small a median: Rousseeuw's and Leroy's correction
+    const double few = 1. + 5. / (std::max)(double(count) - 3., 1.);
+    const double deviation =
+        (std::max)({s_deviation_of_median * few * least, s_smallest_deviation * bend, s_rounding});
+    for(int step = 0; step < s_steps; ++step)
+    {
+      Pair_equations equations;
+      w.weights.resize(w.pairs.size());
+      for(std::size_t k = 0; k < w.pairs.size(); ++k)
+      {
+        const Pair& pair = w.pairs[k];
+        w.weights[k] = weight(w.residuals[k], deviation);
+        equations.add(w.weights[k], pair.x, pair.y, pair.a, pair.b);
+      }
+      Vector next;
+      if(!equations.solve(next))
+        break; // what is left is on a line: the fit before is the answer
+      const double change = (next - s).cwiseAbs().maxCoeff();
+      s = next;
+      measure(s, w);
+      if(change <= 1e-9 * (std::max)(bend, s_rounding))
+        break;
+    }
+    return true;
+  }
+
+  // The mean of what the neighbors' normals and the shape operator say of the normal, with the weights of the pairs that the
+  // sample is part of, and of the normal that it has.
+  Vector improved_normal(std::size_t i, Workspace& w)
+  {
+    const Vector& n = m_surface.normal(i);
+    Vector result = n;
+    Estimation_status& status = m_status_of_normal[i];
+    status = fit_to_neighbors(m_surface, i, s_minimum, w.neighbors,
+                              [&](const std::vector<Index>& neighbors)
+                              {
+                                Vector t1, t2, s;
+                                double size;
+                                if(!fit(i, neighbors, w, t1, t2, size, s))
+                                  return Curvature_estimate(Estimation_status::DEGENERATE);
+                                double sum_a = 0., sum_b = 0., weights = 1.;
+                                for(std::size_t k = 0; k < w.pairs.size() && k < w.weights.size(); ++k)
+                                  if(w.pairs[k].is_central)
+                                  {
+                                    const Point& q = w.points[w.pairs[k].farther];
+                                    sum_a += w.weights[k] * (q.a - (s[0] * q.x + s[1] * q.y));
+                                    sum_b += w.weights[k] * (q.b - (s[1] * q.x + s[2] * q.y));
+                                    weights += w.weights[k];
+                                  }
+                                result = (n + (sum_a / weights) * t1 + (sum_b / weights) * t2).normalized();
+                                return Curvature_estimate(m_surface.status(i));
+                              })
+                 .status;
+    if(result.allFinite())
+      return result;
+    if(is_estimated(status))
+      status = Estimation_status::DEGENERATE;
+    return n;
+  }
+
+  const SampledSurface& m_surface;
+  std::vector<Estimation_status> m_status_of_normal;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_KALOGERAKIS_ESTIMATOR_H

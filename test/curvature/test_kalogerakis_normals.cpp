@@ -1,0 +1,246 @@
+#define BOOST_TEST_MODULE kalogerakis_normals
+#include <boost/test/unit_test.hpp>
+
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/kalogerakis_curvatures.h>
+#include <Shape_characteristics/curvature/kalogerakis_normals.h>
+#include <Shape_characteristics/normals/vertex_normals.h>
+
+#include <CGAL/Point_set_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "analytic_surfaces.h"
+#include "build_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+
+namespace SC = Shape_characteristics;
+using Kernel = CGAL::Simple_cartesian<double>;
+using Vector_3 = Kernel::Vector_3;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Vector_3>;
+using Status_map = Mesh::Property_map<Mesh::Vertex_index, SC::Estimation_status>;
+using test_support::Analytic_surface;
+
+namespace {
+
+Vector_3 vector(const test_support::Vector& v)
+{
+  return Vector_3(v[0], v[1], v[2]);
+}
+
+// |a - b|^2 / 2 is 1 - a . b of unit vectors, without its rounding
+double error(const Vector_3& a, const Vector_3& b)
+{
+  return (a - b).squared_length() / 2;
+}
+
+Normal_map normal_map(Mesh& mesh, const char* name)
+{
+  return mesh.add_property_map<Mesh::Vertex_index, Vector_3>(name).first;
+}
+
+Vector_3 disturbed(const Vector_3& n, double deviation, benchmark_support::Random& random)
+{
+  const Vector_3 d = n + deviation * Vector_3(random.gaussian(), random.gaussian(), random.gaussian());
+  return d / std::sqrt(d.squared_length());
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(noisy_normals)
+{
+  for(const Analytic_surface& s : {test_support::ellipsoid(1., .8, .6, 4, .2, 3),
+                                   test_support::torus(1., .4, 60, 30, .2, 3), test_support::sphere(1., 4)})
+  {
+    Mesh mesh = test_support::build_mesh<Mesh>(s);
+    const Normal_map normals = normal_map(mesh, "v:normals");
+    benchmark_support::Random random(5);
+    double before = 0., after = 0.;
+    for(const auto v : vertices(mesh))
+    {
+      const Vector_3 exact = vector(s.exact[v.idx()].normal);
+      normals[v] = disturbed(exact, .05, random);
+      before += error(normals[v], exact);
+    }
+    BOOST_TEST(SC::kalogerakis_normals(mesh, normals, SC::parameters::vertex_normal_map(normals)) == 0u);
+    for(const auto v : vertices(mesh))
+    {
+      after += error(normals[v], vector(s.exact[v.idx()].normal));
+      BOOST_TEST(std::abs(normals[v].squared_length() - 1.) < 1e-12);
+    }
+    BOOST_TEST_MESSAGE(s.name << ": error " << before / double(s.points.size()) << " -> "
+                              << after / double(s.points.size()));
+    BOOST_TEST(after < before / 4., s.name);
+  }
+}
+
+// The roof of a house: whatever the noise, the normals of one side don't bend towards the other.
+BOOST_AUTO_TEST_CASE(feature_lines)
+{
+  const std::size_t n = 24;
+  Analytic_surface roof;
+  for(std::size_t j = 0; j <= n; ++j)
+    for(std::size_t i = 0; i <= n; ++i)
+    {
+      const double x = double(i) / double(n) - .5;
+      roof.points.push_back({x, double(j) / double(n), -std::abs(x)});
+    }
+  for(std::size_t j = 0; j < n; ++j)
+    for(std::size_t i = 0; i < n; ++i)
+    {
+      const std::size_t a = j * (n + 1) + i, b = a + n + 1;
+      roof.triangles.push_back({a, a + 1, b + 1});
+      roof.triangles.push_back({a, b + 1, b});
+    }
+  Mesh mesh = test_support::build_mesh<Mesh>(roof);
+  const Normal_map normals = normal_map(mesh, "v:normals");
+  benchmark_support::Random random(7);
+  const auto exact = [&](const Mesh::Vertex_index v)
+  { return Vector_3(mesh.point(v).x() > 0 ? 1 : -1, 0, 1) / std::sqrt(2.); };
+  double before = 0., after = 0.;
+  for(const auto v : vertices(mesh))
+    normals[v] = disturbed(exact(v), .01, random);
+  const auto beside_the_ridge = [&](const Mesh::Vertex_index v)
+  { return std::abs(std::abs(mesh.point(v).x()) - 1. / double(n)) < 1e-9 && !mesh.is_border(v); };
+  for(const auto v : vertices(mesh))
+    if(beside_the_ridge(v))
+      before += error(normals[v], exact(v));
+  SC::kalogerakis_normals(mesh, normals, SC::parameters::vertex_normal_map(normals));
+  for(const auto v : vertices(mesh))
+    if(beside_the_ridge(v))
+      after += error(normals[v], exact(v));
+  BOOST_TEST_MESSAGE("beside the ridge: error " << before << " -> " << after);
+  BOOST_TEST(before > 0.);
+  BOOST_TEST(after < before);
+}
+
+// the normals are those that the curvatures come from
+BOOST_AUTO_TEST_CASE(directions_of_curvature)
+{
+  const Analytic_surface s = test_support::waves(.1, 4., 1., 16, .2, 3);
+  Mesh mesh = test_support::build_mesh<Mesh>(s);
+  const Normal_map normals = normal_map(mesh, "v:normals");
+  const auto curvatures =
+      mesh.add_property_map<Mesh::Vertex_index, SC::Principal_curvatures_and_directions<Kernel>>(
+              "v:curvatures")
+          .first;
+  SC::kalogerakis_normals(mesh, normals);
+  SC::kalogerakis_curvatures(mesh,
+                             SC::parameters::vertex_principal_curvatures_and_directions_map(curvatures));
+  for(const auto v : vertices(mesh))
+  {
+    BOOST_TEST(std::abs(normals[v] * curvatures[v].min_direction) < 1e-12);
+    BOOST_TEST(std::abs(normals[v] * curvatures[v].max_direction) < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(one_vertex_and_threads)
+{
+  const Analytic_surface s = test_support::waves(.1, 4., 1., 12, .2, 3);
+  Mesh mesh = test_support::build_mesh<Mesh>(s);
+  const Normal_map all = normal_map(mesh, "v:all"), parallel = normal_map(mesh, "v:parallel");
+  const Status_map status =
+      mesh.add_property_map<Mesh::Vertex_index, SC::Estimation_status>("v:status").first;
+  for(const unsigned int passes : {1u, 2u, 3u})
+  {
+    const auto np = SC::parameters::number_of_passes(passes);
+    SC::kalogerakis_normals<CGAL::Sequential_tag>(mesh, all, np.vertex_status_map(status));
+    SC::kalogerakis_normals(mesh, parallel, np);
+    for(const auto v : vertices(mesh))
+    {
+      Vector_3 n;
+      BOOST_TEST((SC::kalogerakis_normals(v, mesh, n, np) == status[v]));
+      BOOST_TEST(n == all[v]);
+      BOOST_TEST(parallel[v] == all[v]);
+      BOOST_TEST((status[v] == (s.exact[v.idx()].border ? SC::Estimation_status::BORDER
+                                                        : SC::Estimation_status::ESTIMATED)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(point_set)
+{
+  const Analytic_surface s = test_support::ellipsoid(1., .8, .6, 4, .2, 3);
+  CGAL::Point_set_3<Kernel::Point_3> set;
+  set.add_normal_map();
+  benchmark_support::Random random(5);
+  double before = 0, after = 0;
+  for(std::size_t i = 0; i < s.points.size(); ++i)
+  {
+    const Vector_3 exact = vector(s.exact[i].normal), n = disturbed(exact, .05, random);
+    const auto& p = s.points[i];
+    set.insert(Kernel::Point_3(p[0], p[1], p[2]), n);
+    before += error(n, exact);
+  }
+  BOOST_TEST(SC::kalogerakis_normals(set, set.normal_map()) == 0u);
+  for(std::size_t i = 0; i < s.points.size(); ++i)
+    after += error(set.normal(*(set.begin() + std::ptrdiff_t(i))), vector(s.exact[i].normal));
+  BOOST_TEST_MESSAGE("point set: error " << before << " -> " << after);
+  BOOST_TEST(after < before / 4.);
+}
+
+BOOST_AUTO_TEST_CASE(points_without_an_answer)
+{
+  Mesh mesh = test_support::build_mesh<Mesh>(test_support::sphere(1., 2));
+  const auto lonely = mesh.add_vertex(Kernel::Point_3(5, 5, 5));
+  const auto broken = *vertices(mesh).begin();
+  mesh.point(broken) = Kernel::Point_3(std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  const Normal_map normals = normal_map(mesh, "v:normals");
+  const Status_map status =
+      mesh.add_property_map<Mesh::Vertex_index, SC::Estimation_status>("v:status").first;
+  const auto np = SC::parameters::vertex_status_map(status);
+  BOOST_TEST(SC::kalogerakis_normals(mesh, normals, np) == 2u);
+  BOOST_TEST((status[lonely] == SC::Estimation_status::UNREFERENCED));
+  BOOST_TEST((status[broken] == SC::Estimation_status::NON_FINITE_INPUT));
+  for(const auto v : vertices(mesh))
+    BOOST_TEST(std::isnan(normals[v].x()) == !SC::is_estimated(status[v]));
+
+  Mesh empty;
+  const Normal_map of_empty = normal_map(empty, "v:normals");
+  BOOST_TEST(SC::kalogerakis_normals(empty, of_empty) == 0u);
+  BOOST_CHECK_THROW(SC::kalogerakis_normals(mesh, normals, SC::parameters::number_of_rings(0u)),
+                    std::invalid_argument);
+  for(const int passes : {-1, 0, 1001})
+  {
+    BOOST_CHECK_THROW(SC::kalogerakis_normals(mesh, normals, SC::parameters::number_of_passes(passes)),
+                      std::invalid_argument);
+    BOOST_CHECK_THROW(SC::kalogerakis_curvatures(mesh, SC::parameters::number_of_passes(passes)),
+                      std::invalid_argument);
+  }
+}
+
+// a computation that was stopped has no results
+BOOST_AUTO_TEST_CASE(callback)
+{
+  Mesh mesh = test_support::build_mesh<Mesh>(test_support::sphere(1., 3));
+  const Normal_map normals = normal_map(mesh, "v:normals");
+  const Status_map status =
+      mesh.add_property_map<Mesh::Vertex_index, SC::Estimation_status>("v:status").first;
+  double last = 0.;
+  bool rises = true;
+  const auto np = SC::parameters::vertex_status_map(status);
+  BOOST_TEST(SC::kalogerakis_normals<CGAL::Sequential_tag>(mesh, normals,
+                                                           np.callback(
+                                                               [&](double advancement)
+                                                               {
+                                                                 rises = rises && advancement >= last;
+                                                                 last = advancement;
+                                                                 return true;
+                                                               })) == 0u);
+  BOOST_TEST(rises);
+  BOOST_TEST(last == 1.);
+  BOOST_TEST(SC::kalogerakis_normals<CGAL::Sequential_tag>(
+                 mesh, normals, np.callback([](double advancement) { return advancement < .7; })) ==
+             num_vertices(mesh));
+  for(const auto v : vertices(mesh))
+  {
+    BOOST_TEST((status[v] == SC::Estimation_status::CANCELLED));
+    BOOST_TEST(std::isnan(normals[v].x()));
+  }
+}
