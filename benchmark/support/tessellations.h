@@ -16,19 +16,43 @@
 
 namespace benchmark_support {
 
+/// How the convex hull of random points is filled.
+enum class Hull
+{
+  WHOLE, ///< by a Delaunay triangulation of the points alone
+  /// As an incremental Delaunay triangulation does that starts inside a large triangle and drops its corners in the
+  /// end: without the flattest triangles along the border. With it, though its size is a guess, the figures come out
+  /// that the thesis prints; those of average normals hang on these triangles.
+  OF_INCREMENTAL_TRIANGULATION
+};
+
 /// `count` points of the graph, uniformly distributed over its square (Delaunay triangulation in the xy plane).
-/// No point is put on the border of the square: the border of the mesh is the convex hull of the points.
-inline Triangle_arrays random_tessellation(const Explicit_function& f, std::size_t count, std::uint64_t seed)
+/// No point is put on the border of the square.
+inline Triangle_arrays random_tessellation(const Explicit_function& f,
+                                           std::size_t count,
+                                           std::uint64_t seed,
+                                           Hull hull = Hull::WHOLE)
 {
   Random random(seed);
   Triangle_arrays mesh;
-  mesh.points.reserve(count);
+  mesh.points.reserve(count + 3);
   for(std::size_t i = 0; i < count; ++i)
   {
     const double x = random.uniform(-f.half, f.half), y = random.uniform(-f.half, f.half);
     mesh.points.push_back(f.point(x, y));
   }
-  mesh.triangles = delaunay_triangles(mesh.points);
+  if(hull == Hull::WHOLE)
+  {
+    mesh.triangles = delaunay_triangles(mesh.points);
+    return mesh;
+  }
+  const double far = 10. * f.half; // five times the side of the square
+  for(const Vector& corner : {Vector{-far, -far, 0.}, Vector{far, -far, 0.}, Vector{0., far, 0.}})
+    mesh.points.push_back(corner);
+  for(const Triangle& t : delaunay_triangles(mesh.points))
+    if(*std::max_element(t.begin(), t.end()) < count)
+      mesh.triangles.push_back(t);
+  mesh.points.resize(count);
   return mesh;
 }
 

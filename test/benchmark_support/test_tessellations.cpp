@@ -354,3 +354,32 @@ BOOST_AUTO_TEST_CASE(random_numbers_are_the_same_everywhere)
     BOOST_TEST((u >= 0. && u < 1.));
   }
 }
+
+BOOST_AUTO_TEST_CASE(incremental_triangulation_leaves_out_flat_triangles_of_the_border)
+{
+  const Explicit_function& f = explicit_function("f1e");
+  const Triangle_arrays whole = random_tessellation(f, 2000, 3),
+                        mesh = random_tessellation(f, 2000, 3, Hull::OF_INCREMENTAL_TRIANGULATION);
+  BOOST_TEST((mesh.points == whole.points));
+  BOOST_TEST(mesh.triangles.size() < whole.triangles.size());
+  const Topology t = topology(mesh);
+  BOOST_TEST((t.manifold && !t.degenerate && t.unreferenced == 0));
+  BOOST_TEST(t.euler == 1);
+  const std::set<Triangle> left(mesh.triangles.begin(), mesh.triangles.end());
+  std::size_t found = 0;
+  for(const Triangle& i : whole.triangles)
+  {
+    if(left.count(i) > 0)
+    {
+      ++found;
+      continue;
+    }
+    // a corner of the large triangle is in the circle
+    const Vector &a = whole.points[i[0]], &b = whole.points[i[1]], &c = whole.points[i[2]];
+    const double twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    const double radius = std::hypot(a.x - b.x, a.y - b.y) * std::hypot(b.x - c.x, b.y - c.y) *
+                          std::hypot(c.x - a.x, c.y - a.y) / (2. * twice);
+    BOOST_TEST(radius > 4. * f.half);
+  }
+  BOOST_TEST(found == mesh.triangles.size());
+}

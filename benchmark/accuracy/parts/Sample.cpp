@@ -26,7 +26,8 @@ Triangle_arrays tessellate(const benchmark_support::Explicit_function& f,
 {
   return tessellation == Tessellation::UNIFORM_GRID
              ? benchmark_support::grid_tessellation(f, std::size_t(std::sqrt(double(resolution.points))))
-             : benchmark_support::random_tessellation(f, resolution.points, seed);
+             : benchmark_support::random_tessellation(f, resolution.points, seed,
+                                                      benchmark_support::Hull::OF_INCREMENTAL_TRIANGULATION);
 }
 
 Triangle_arrays tessellate(const benchmark_support::Implicit_function& f,
