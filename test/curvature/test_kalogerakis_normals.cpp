@@ -12,6 +12,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "normal_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,29 +27,15 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Vector_3>;
 using Status_map = Mesh::Property_map<Mesh::Vertex_index, SC::Estimation_status>;
 using test_support::Analytic_surface;
+using test_support::disturbed;
+using test_support::normal_error;
+using test_support::normal_of;
 
 namespace {
-
-Vector_3 vector(const test_support::Vector& v)
-{
-  return Vector_3(v[0], v[1], v[2]);
-}
-
-// |a - b|^2 / 2 is 1 - a . b of unit vectors, without its rounding
-double error(const Vector_3& a, const Vector_3& b)
-{
-  return (a - b).squared_length() / 2;
-}
 
 Normal_map normal_map(Mesh& mesh, const char* name)
 {
   return mesh.add_property_map<Mesh::Vertex_index, Vector_3>(name).first;
-}
-
-Vector_3 disturbed(const Vector_3& n, double deviation, benchmark_support::Random& random)
-{
-  const Vector_3 d = n + deviation * Vector_3(random.gaussian(), random.gaussian(), random.gaussian());
-  return d / std::sqrt(d.squared_length());
 }
 
 } // namespace
@@ -64,14 +51,14 @@ BOOST_AUTO_TEST_CASE(noisy_normals)
     double before = 0., after = 0.;
     for(const auto v : vertices(mesh))
     {
-      const Vector_3 exact = vector(s.exact[v.idx()].normal);
+      const Vector_3 exact = normal_of(s.exact[v.idx()].normal);
       normals[v] = disturbed(exact, .05, random);
-      before += error(normals[v], exact);
+      before += normal_error(normals[v], exact);
     }
     BOOST_TEST(SC::kalogerakis_normals(mesh, normals, SC::parameters::vertex_normal_map(normals)) == 0u);
     for(const auto v : vertices(mesh))
     {
-      after += error(normals[v], vector(s.exact[v.idx()].normal));
+      after += normal_error(normals[v], normal_of(s.exact[v.idx()].normal));
       BOOST_TEST(std::abs(normals[v].squared_length() - 1.) < 1e-12);
     }
     BOOST_TEST_MESSAGE(s.name << ": error " << before / double(s.points.size()) << " -> "
@@ -110,11 +97,11 @@ BOOST_AUTO_TEST_CASE(feature_lines)
   { return std::abs(std::abs(mesh.point(v).x()) - 1. / double(n)) < 1e-9 && !mesh.is_border(v); };
   for(const auto v : vertices(mesh))
     if(beside_the_ridge(v))
-      before += error(normals[v], exact(v));
+      before += normal_error(normals[v], exact(v));
   SC::kalogerakis_normals(mesh, normals, SC::parameters::vertex_normal_map(normals));
   for(const auto v : vertices(mesh))
     if(beside_the_ridge(v))
-      after += error(normals[v], exact(v));
+      after += normal_error(normals[v], exact(v));
   BOOST_TEST_MESSAGE("beside the ridge: error " << before << " -> " << after);
   BOOST_TEST(before > 0.);
   BOOST_TEST(after < before);
@@ -173,14 +160,14 @@ BOOST_AUTO_TEST_CASE(point_set)
   double before = 0, after = 0;
   for(std::size_t i = 0; i < s.points.size(); ++i)
   {
-    const Vector_3 exact = vector(s.exact[i].normal), n = disturbed(exact, .05, random);
+    const Vector_3 exact = normal_of(s.exact[i].normal), n = disturbed(exact, .05, random);
     const auto& p = s.points[i];
     set.insert(Kernel::Point_3(p[0], p[1], p[2]), n);
-    before += error(n, exact);
+    before += normal_error(n, exact);
   }
   BOOST_TEST(SC::kalogerakis_normals(set, set.normal_map()) == 0u);
   for(std::size_t i = 0; i < s.points.size(); ++i)
-    after += error(set.normal(*(set.begin() + std::ptrdiff_t(i))), vector(s.exact[i].normal));
+    after += normal_error(set.normal(*(set.begin() + std::ptrdiff_t(i))), normal_of(s.exact[i].normal));
   BOOST_TEST_MESSAGE("point set: error " << before << " -> " << after);
   BOOST_TEST(after < before / 4.);
 }

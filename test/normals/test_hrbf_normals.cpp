@@ -11,6 +11,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "normal_errors.h"
 
 #include "../../benchmark/support/test_functions.h"
 
@@ -26,19 +27,10 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Normal_map = Mesh::Property_map<Mesh::Vertex_index, Vector_3>;
 using Status_map = Mesh::Property_map<Mesh::Vertex_index, SC::Estimation_status>;
 using test_support::Analytic_surface;
+using test_support::normal_error;
+using test_support::normal_of;
 
 namespace {
-
-Vector_3 vector(const test_support::Vector& v)
-{
-  return Vector_3(v[0], v[1], v[2]);
-}
-
-// |a - b|^2 / 2 is 1 - a . b of unit vectors, without its rounding
-double error(const Vector_3& a, const Vector_3& b)
-{
-  return (a - b).squared_length() / 2;
-}
 
 Analytic_surface f1e(double jitter)
 {
@@ -64,14 +56,14 @@ Mean_errors mean_errors(const Analytic_surface& s, const NamedParameters& np)
   std::size_t count = 0;
   for(const auto v : vertices(mesh))
   {
-    const Vector_3 n = vector(s.exact[v.idx()].normal);
+    const Vector_3 n = normal_of(s.exact[v.idx()].normal);
     BOOST_TEST(std::abs(by_hrbf[v].squared_length() - 1) < 1e-12);
     if(s.exact[v.idx()].border)
       continue;
     ++count;
-    e.of_max += error(by_max[v], n);
-    e.of_hrbf += error(by_hrbf[v], n);
-    e.largest = std::max(e.largest, error(by_hrbf[v], n));
+    e.of_max += normal_error(by_max[v], n);
+    e.of_hrbf += normal_error(by_hrbf[v], n);
+    e.largest = std::max(e.largest, normal_error(by_hrbf[v], n));
   }
   e.of_max /= double(count);
   e.of_hrbf /= double(count);
@@ -133,7 +125,7 @@ BOOST_AUTO_TEST_CASE(into_the_map_of_the_input)
   for(const auto v : vertices(mesh))
   {
     different += in_place[v] != elsewhere[v];
-    largest = std::max(largest, error(by_default[v], in_place[v]));
+    largest = std::max(largest, normal_error(by_default[v], in_place[v]));
   }
   BOOST_TEST(different == 0u);
   BOOST_TEST(largest < 1e-10);
@@ -168,15 +160,14 @@ BOOST_AUTO_TEST_CASE(point_set)
   double before = 0, after = 0;
   for(std::size_t i = 0; i < s.points.size(); ++i)
   {
-    const Vector_3 n =
-        vector(s.exact[i].normal) + .05 * Vector_3(random.gaussian(), random.gaussian(), random.gaussian());
+    const Vector_3 exact = normal_of(s.exact[i].normal), n = test_support::disturbed(exact, .05, random);
     const auto& p = s.points[i];
-    set.insert(Kernel::Point_3(p[0], p[1], p[2]), n / std::sqrt(n.squared_length()));
-    before += error(n / std::sqrt(n.squared_length()), vector(s.exact[i].normal));
+    set.insert(Kernel::Point_3(p[0], p[1], p[2]), n);
+    before += normal_error(n, exact);
   }
   BOOST_TEST(SC::hrbf_normals(set, set.normal_map()) == 0u);
   for(std::size_t i = 0; i < s.points.size(); ++i)
-    after += error(set.normal(*(set.begin() + std::ptrdiff_t(i))), vector(s.exact[i].normal));
+    after += normal_error(set.normal(*(set.begin() + std::ptrdiff_t(i))), normal_of(s.exact[i].normal));
   BOOST_TEST_MESSAGE("point set: error " << before / double(s.points.size()) << " -> "
                                          << after / double(s.points.size()));
   BOOST_TEST(after < before / 100);
