@@ -167,8 +167,8 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
   \cgalNamedParamsEnd
 
   With exact normals the result has the bits of the whole mesh's with `fits_are_shared(false)`. With inexact ones, the
-  noise level is estimated from the surroundings of the vertex alone; give `noise_level` for all vertices to be treated
-  alike. The radius of the Poisson-disc pattern of the thesis's method comes from the surroundings as well.
+  noise level and the number of passes come from the surroundings of the vertex alone; give `noise_level` and
+  `number_of_passes` for all vertices to be treated alike. The radius of the Poisson-disc pattern of the thesis's method comes from the surroundings as well.
 
   \return whether the curvatures were estimated, or why not
 

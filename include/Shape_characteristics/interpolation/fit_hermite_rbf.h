@@ -151,13 +151,15 @@ private:
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
-      const Noise_probes<SampledSurface> probes(surface);
-      options.noise_level = m_noise_level >= 0. ? m_noise_level : probes.level(phi);
+      std::optional<Noise_probes<SampledSurface>> probes;
+      if(m_noise_level < 0. || m_passes == 0)
+        probes.emplace(surface);
+      options.noise_level = m_noise_level >= 0. ? m_noise_level : probes->level(phi);
       options.normal_noise_level = m_normal_noise_level;
-      passes = m_passes > 0                     ? m_passes
-               : options.noise_level < 1e-4     ? 1
-               : !probes.surface_bends_little() ? 2
-                                                : std::size_t(most_passes_by_default);
+      passes = m_passes > 0                      ? m_passes
+               : options.noise_level < 1e-4      ? 1
+               : !probes->surface_bends_little() ? 2
+                                                 : std::size_t(most_passes_by_default);
     }
     // where a single sample is asked for, its neighbors are smoothed as well
     std::optional<Sample_patches> of_all;

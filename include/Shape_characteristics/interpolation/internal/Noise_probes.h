@@ -81,9 +81,10 @@ public:
       m_probes(probes_of(surface, s_number_of_probes)),
       m_levels(s_levels)
   {
+    typename SampledSurface::Workspace workspace;
     std::size_t usable = 0;
     for(const std::uint32_t i : m_probes)
-      if(const double bending = bending_at(i); std::isfinite(bending))
+      if(const double bending = bending_at(i, workspace); std::isfinite(bending))
       {
         ++usable;
         if(bending < s_gentle_bending)
@@ -142,9 +143,8 @@ private:
   };
 
   // root mean square of the differences between a sample's normal and those of its neighbors; infinite without them
-  double bending_at(std::uint32_t i) const
+  double bending_at(std::uint32_t i, typename SampledSurface::Workspace& workspace) const
   {
-    typename SampledSurface::Workspace workspace;
     Scaled_neighborhood neighborhood;
     if(!is_estimated(neighborhood.collect(m_surface, i, workspace, s_many, s_many)))
       return std::numeric_limits<double>::infinity();
