@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_FIT_HERMITE_RBF_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/passes.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
@@ -41,25 +42,6 @@ unsigned int reach_of_hermite_rbf(const NamedParameters& np)
   return static_cast<unsigned int>((std::max)(most_passes_by_default, passes));
 }
 
-// Progress of several passes as progress of one.
-class Callback_of_pass
-{
-public:
-  Callback_of_pass(const std::function<bool(double)>& callback,
-                   std::size_t pass,
-                   std::size_t number_of_passes)
-    : m_callback(callback),
-      m_begin(double(pass) / double(number_of_passes)),
-      m_length(1. / double(number_of_passes))
-  {}
-
-  bool operator()(double advancement) const { return m_callback(m_begin + m_length * advancement); }
-
-private:
-  const std::function<bool(double)>& m_callback;
-  double m_begin, m_length;
-};
-
 // Fits of the samples `0, ..., size - 1` of `surface`, whose others only lend a hand. `output` is called with each of them,
 // by several threads at a time, but not with those before which the callback stopped.
 template <typename ConcurrencyTag>
@@ -86,8 +68,8 @@ public:
         static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
     constexpr bool passes_are_given =
         !parameters::is_default_parameter<NamedParameters, internal_np::number_of_passes_t>::value;
-    if(passes_are_given && (passes < 1 || passes > 1000))
-      throw std::invalid_argument("Shape_characteristics: number_of_passes must be between 1 and 1000");
+    if(passes_are_given)
+      check_number_of_passes(passes);
     m_passes = static_cast<std::size_t>(passes);
     m_sampling_distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
     m_seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);

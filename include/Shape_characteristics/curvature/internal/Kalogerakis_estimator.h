@@ -6,6 +6,7 @@
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/passes.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/internal/write_normals.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
@@ -17,7 +18,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -60,8 +60,7 @@ unsigned int passes_of_kalogerakis(const NamedParameters& np)
 {
   const auto passes = static_cast<long long>(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_passes), 2));
-  if(passes < 1 || passes > 1000)
-    throw std::invalid_argument("Shape_characteristics: number_of_passes must be between 1 and 1000");
+  check_number_of_passes(passes);
   return static_cast<unsigned int>(passes);
 }
 
@@ -108,8 +107,7 @@ public:
     {
       std::function<bool(double)> callback_of_all;
       if(callback)
-        callback_of_all = [&](const double advancement)
-        { return callback((double(pass) + advancement) / double(passes)); };
+        callback_of_all = Callback_of_pass(callback, pass, passes);
       std::vector<Vector> normals(surface.size());
       const bool is_complete = for_each_sample<ConcurrencyTag, Workspace>(
           surface.size(),
