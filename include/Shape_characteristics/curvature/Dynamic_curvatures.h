@@ -68,7 +68,7 @@ struct Noting_map
 
   All estimators of this library that have that overload will do: the overload gives what the one for the whole
   mesh gives, bit for bit, with these exceptions: `hrbf_curvatures()` needs `fits_are_shared(false)` for that on the whole
-  mesh, and, with inexact normals, `noise_level` and `number_of_passes`, which come from the surroundings otherwise; the
+  mesh, and, with inexact normals, `noise_level`, which comes from the surroundings otherwise; the
   status `DUPLICATE` is not told; of two fans of faces that share a vertex (a bow tie), only one is seen.
 
   The overload for one vertex copies the surroundings of the vertex, which takes longer than most estimators do with

@@ -101,7 +101,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
                             of the 9 nearest neighbors}
       \cgalParamType{`double`}
       \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood. A surface
-                        that bends much from vertex to vertex is taken for noisy on strong evidence alone.}
+                        that bends much from vertex to vertex is taken for noisy on strong evidence alone, and
+                        then a third of the level is expected in each of several passes.}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{normal_noise_level}
@@ -114,8 +115,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
     \cgalParamNBegin{number_of_passes}
       \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}
       \cgalParamType{`unsigned int`}
-      \cgalParamDefault{1 if the noise level is below 0.0001; otherwise 2, or 3 if the surface bends little between its
-                        samples}
+      \cgalParamDefault{1 if the noise level is below 0.0001, else 3}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{sampling_distance}
@@ -167,8 +167,8 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
   \cgalNamedParamsEnd
 
   With exact normals the result has the bits of the whole mesh's with `fits_are_shared(false)`. With inexact ones, the
-  noise level and the number of passes come from the surroundings of the vertex alone; give `noise_level` and
-  `number_of_passes` for all vertices to be treated alike. The radius of the Poisson-disc pattern of the thesis's method comes from the surroundings as well.
+  noise level comes from the surroundings of the vertex alone; give `noise_level` for all vertices to be treated alike.
+  The radius of the Poisson-disc pattern of the thesis's method comes from the surroundings as well.
 
   \return whether the curvatures were estimated, or why not
 

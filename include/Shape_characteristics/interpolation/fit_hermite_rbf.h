@@ -26,10 +26,10 @@
 namespace Shape_characteristics {
 namespace internal {
 
-inline constexpr long long most_passes_by_default = 3;
+inline constexpr long long passes_over_noise = 3; // by default
 
 // How often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex: once for each pass.
-// With inexact normals, as many as are made over noise; the neighborhoods that tell of it are within that reach.
+// With inexact normals, as often as over noise; the neighborhoods that tell of it are within that reach.
 template <typename NamedParameters>
 unsigned int reach_of_hermite_rbf(const NamedParameters& np)
 {
@@ -39,7 +39,7 @@ unsigned int reach_of_hermite_rbf(const NamedParameters& np)
     return 1;
   const auto passes =
       static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
-  return static_cast<unsigned int>((std::max)(most_passes_by_default, passes));
+  return static_cast<unsigned int>((std::max)(passes_over_noise, passes));
 }
 
 // Fits of the samples `0, ..., size - 1` of `surface`, whose others only lend a hand. `output` is called with each of them,
@@ -133,15 +133,17 @@ private:
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
+      constexpr double negligible = 1e-4, part = 0.316;
       std::optional<Noise_probes<SampledSurface>> probes;
-      if(m_noise_level < 0. || m_passes == 0)
+      if(m_noise_level < 0.)
         probes.emplace(surface);
-      options.noise_level = m_noise_level >= 0. ? m_noise_level : probes->level(phi);
+      const double level = probes ? probes->level(phi) : m_noise_level;
+      passes = m_passes > 0 ? m_passes : level < negligible ? 1 : std::size_t(passes_over_noise);
+      // several passes that each expected all of the noise would smooth away the bends of a surface as well
+      const bool bends_are_at_risk =
+          probes && passes > 1 && !(level < negligible) && !probes->surface_bends_little();
+      options.noise_level = bends_are_at_risk ? part * level : level;
       options.normal_noise_level = m_normal_noise_level;
-      passes = m_passes > 0                      ? m_passes
-               : options.noise_level < 1e-4      ? 1
-               : !probes->surface_bends_little() ? 2
-                                                 : std::size_t(most_passes_by_default);
     }
     // where a single sample is asked for, its neighbors are smoothed as well
     std::optional<Sample_patches> of_all;
