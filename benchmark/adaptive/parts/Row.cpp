@@ -83,11 +83,12 @@ Normal_map make_normals(Mesh& mesh, const std::vector<Exact_curvature>& exact, c
   return map;
 }
 
-double error(const SC::internal::Curvature_estimate& e, const Exact_curvature& exact)
+Vertex_record::Error error(const SC::internal::Curvature_estimate& e, const Exact_curvature& exact)
 {
-  return SC::is_estimated(e.status) ? std::abs(e.curvatures.max_curvature - exact.k_max) +
-                                          std::abs(e.curvatures.min_curvature - exact.k_min)
-                                    : std::numeric_limits<double>::infinity();
+  constexpr float none = std::numeric_limits<float>::infinity();
+  if(!SC::is_estimated(e.status))
+    return {none, none};
+  return {float(e.curvatures.max_curvature - exact.k_max), float(e.curvatures.min_curvature - exact.k_min)};
 }
 
 void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_curvature>& exact, Row& row)
@@ -115,11 +116,11 @@ void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_c
     std::size_t number = 0;
     for(std::size_t i = 0; i < exact.size(); ++i)
     {
-      const double e = error(field[i].estimate(), exact[i]);
-      row.vertices[i].errors[c] = float(e);
-      if(std::isfinite(e))
+      const Vertex_record::Error e = error(field[i].estimate(), exact[i]);
+      row.vertices[i].errors[c] = e;
+      if(std::isfinite(e.k_max))
       {
-        sum += e;
+        sum += double(std::abs(e.k_max) + std::abs(e.k_min));
         ++number;
       }
     }

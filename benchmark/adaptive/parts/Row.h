@@ -31,12 +31,17 @@ struct Conditions
 /// Those in which a surface is tried.
 std::vector<Conditions> conditions(const Surface& surface, Purpose purpose);
 
-/// A vertex: what is known of it, and the errors |k_max error| + |k_min error| of the candidates; infinite where there is no
-/// estimate.
+/// A vertex: what is known of it, and the errors of the candidates.
 struct Vertex_record
 {
+  /// of k_max and k_min, with their signs; infinite where there is no estimate
+  struct Error
+  {
+    float k_max, k_min;
+  };
+
   std::array<float, number_of_statistics> statistics;
-  std::array<float, number_of_candidates> errors;
+  std::array<Error, number_of_candidates> errors;
 };
 
 /// A surface in certain conditions: a row of a table.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -16,19 +17,48 @@ namespace {
 constexpr auto features = Eigen::Index(number_of_statistics + 1); // the constant, and all statistics
 constexpr auto candidates = Eigen::Index(number_of_candidates);
 
-constexpr std::array<const char*, number_of_statistics> statistic_names = {
-    "EXACT_2_ANGLES",       "EXACT_3_ANGLES",        "POINTS_2_ANGLES",
-    "POINTS_3_ANGLES",      "POINTS_4_ANGLES",       "NORMALS_3_ANGLES",
-    "SMOOTHED_3_ANGLES",    "SMOOTHED_4_ANGLES",     "EXACT_2_TURNS",
-    "EXACT_3_TURNS",        "POINTS_2_TURNS",        "POINTS_3_TURNS",
-    "POINTS_4_TURNS",       "NORMALS_3_TURNS",       "SMOOTHED_3_TURNS",
-    "SMOOTHED_4_TURNS",     "EXACT_2_EXACT_3",       "POINTS_2_POINTS_3",
-    "POINTS_3_POINTS_4",    "EXACT_3_POINTS_3",      "EXACT_3_NORMALS_3",
-    "POINTS_3_NORMALS_3",   "POINTS_3_SMOOTHED_3",   "POINTS_4_SMOOTHED_4",
-    "NORMALS_3_SMOOTHED_3", "SMOOTHED_3_SMOOTHED_4", "POINTS_3_NORMALS",
-    "SMOOTHED_3_NORMALS",   "POINTS_3_BEND",         "SMOOTHED_3_BEND",
-    "SMOOTHED_3_MOVES",     "SMOOTHED_3_DRIFT",      "NOISE",
-    "IRREGULARITY"};
+constexpr std::array<const char*, number_of_statistics> statistic_names = {"EXACT_2_ANGLES",
+                                                                           "EXACT_3_ANGLES",
+                                                                           "POINTS_2_ANGLES",
+                                                                           "POINTS_3_ANGLES",
+                                                                           "POINTS_4_ANGLES",
+                                                                           "NORMALS_3_ANGLES",
+                                                                           "SMOOTHED_3_ANGLES",
+                                                                           "SMOOTHED_4_ANGLES",
+                                                                           "GENTLY_4_ANGLES",
+                                                                           "BARELY_4_ANGLES",
+                                                                           "EXACT_2_TURNS",
+                                                                           "EXACT_3_TURNS",
+                                                                           "POINTS_2_TURNS",
+                                                                           "POINTS_3_TURNS",
+                                                                           "POINTS_4_TURNS",
+                                                                           "NORMALS_3_TURNS",
+                                                                           "SMOOTHED_3_TURNS",
+                                                                           "SMOOTHED_4_TURNS",
+                                                                           "GENTLY_4_TURNS",
+                                                                           "BARELY_4_TURNS",
+                                                                           "EXACT_2_EXACT_3",
+                                                                           "POINTS_2_POINTS_3",
+                                                                           "POINTS_3_POINTS_4",
+                                                                           "EXACT_3_POINTS_3",
+                                                                           "EXACT_3_NORMALS_3",
+                                                                           "POINTS_3_NORMALS_3",
+                                                                           "POINTS_3_SMOOTHED_3",
+                                                                           "POINTS_4_SMOOTHED_4",
+                                                                           "NORMALS_3_SMOOTHED_3",
+                                                                           "SMOOTHED_3_SMOOTHED_4",
+                                                                           "SMOOTHED_3_GENTLY_4",
+                                                                           "SMOOTHED_4_GENTLY_4",
+                                                                           "GENTLY_4_BARELY_4",
+                                                                           "POINTS_4_BARELY_4",
+                                                                           "POINTS_3_NORMALS",
+                                                                           "SMOOTHED_3_NORMALS",
+                                                                           "POINTS_3_BEND",
+                                                                           "SMOOTHED_3_BEND",
+                                                                           "SMOOTHED_3_MOVES",
+                                                                           "SMOOTHED_3_DRIFT",
+                                                                           "NOISE",
+                                                                           "IRREGULARITY"};
 
 float exactness_of(const std::array<float, number_of_statistics>& s)
 {
@@ -38,18 +68,24 @@ float exactness_of(const std::array<float, number_of_statistics>& s)
 
 constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::EXACT_3_RINGS);
 
+double error_of(const Vertex_record::Error& e)
+{
+  return double(std::abs(e.k_max)) + double(std::abs(e.k_min));
+}
+
 using Matrix = Eigen::MatrixXd;
 
-// The vertices of a row: what is known, and what each candidate costs.
+// The vertices of a row: what is known, and the candidates' errors in units of the best one's mean; one line per vertex.
 struct Data
 {
-  Matrix statistics, costs; // one line per vertex
-  std::size_t part = 0;     // of the surfaces
+  Matrix statistics, k_max, k_min;
+  Matrix penalties;     // of the scores: large where there is no estimate
+  std::size_t part = 0; // of the surfaces
 };
 
 /*
-  Minimizes, over the weights, the mean of the logarithms of the rows' errors, if at each vertex the candidates are chosen
-  with probabilities in proportion to exp(-score): by gradients (Adam's method), for all rows but those of a part.
+  Minimizes, over the weights, the mean of the logarithms of the rows' errors, if at each vertex the candidates are blended
+  in proportion to exp(-score): by gradients (Adam's method), for all rows but those of a part.
 */
 class Learner
 {
@@ -59,11 +95,14 @@ public:
     std::map<std::string, std::size_t> groups;
     for(const Calibration_row& row : rows)
     {
-      constexpr double largest_cost = 30.; // a few vertices mustn't decide alone
+      constexpr double largest = 30.; // a few vertices mustn't decide alone
+      const auto bounded = [&](float error)
+      { return (std::max)(-largest, (std::min)(double(error) / row.best_error, largest)); };
       Data data;
       data.part = groups.emplace(row.group, groups.size()).first->second % parts;
       data.statistics.resize(Eigen::Index(row.vertices.size()), features);
-      data.costs.resize(data.statistics.rows(), candidates);
+      data.k_max.resize(data.statistics.rows(), candidates);
+      data.k_min = data.penalties = data.k_max;
       for(Eigen::Index v = 0; v < data.statistics.rows(); ++v)
       {
         const Vertex_record& vertex = row.vertices[std::size_t(v)];
@@ -71,8 +110,11 @@ public:
         for(std::size_t s = 0; s < number_of_statistics; ++s)
           data.statistics(v, Eigen::Index(s + 1)) = double(vertex.statistics[s]);
         for(std::size_t c = 0; c < number_of_candidates; ++c)
-          data.costs(v, Eigen::Index(c)) =
-              (std::min)(double(vertex.errors[c]) / row.best_error, largest_cost);
+        {
+          data.k_max(v, Eigen::Index(c)) = bounded(vertex.errors[c].k_max);
+          data.k_min(v, Eigen::Index(c)) = bounded(vertex.errors[c].k_min);
+          data.penalties(v, Eigen::Index(c)) = std::isfinite(vertex.errors[c].k_max) ? 0. : 1e3;
+        }
       }
       m_data.push_back(std::move(data));
     }
@@ -89,7 +131,7 @@ public:
   Scores learn(std::size_t left_out) const
   {
     constexpr int steps = 800;
-    constexpr double decay = .995, shrinkage = 5e-5;
+    constexpr double decay = .995, shrinkage = 5e-6;
     Matrix weights = Matrix::Zero(features, candidates), mean = weights, square = weights;
     std::size_t number = 0;
     for(const Data& data : m_data)
@@ -155,15 +197,22 @@ private:
 
   static void add_gradient(const Data& data, const Matrix& weights, double factor, Matrix& gradient)
   {
-    Matrix probabilities = -data.statistics * weights;
-    const Eigen::VectorXd largest = probabilities.rowwise().maxCoeff();
-    probabilities = (probabilities.colwise() - largest).array().exp().matrix().eval();
-    const Eigen::VectorXd sums = probabilities.rowwise().sum();
-    for(Eigen::Index v = 0; v < probabilities.rows(); ++v)
-      probabilities.row(v) /= sums[v];
-    const Eigen::VectorXd costs = (probabilities.cwiseProduct(data.costs)).rowwise().sum();
-    const Matrix derivatives = -probabilities.cwiseProduct(data.costs.colwise() - costs);
-    gradient += factor / costs.sum() * data.statistics.transpose() * derivatives;
+    Matrix shares = -data.statistics * weights - data.penalties;
+    const Eigen::VectorXd largest = shares.rowwise().maxCoeff();
+    shares = (shares.colwise() - largest).array().exp().matrix().eval();
+    const Eigen::VectorXd sums = shares.rowwise().sum();
+    for(Eigen::Index v = 0; v < shares.rows(); ++v)
+      shares.row(v) /= sums[v];
+    const Eigen::VectorXd k_max = shares.cwiseProduct(data.k_max).rowwise().sum(),
+                          k_min = shares.cwiseProduct(data.k_min).rowwise().sum();
+    const double error = k_max.cwiseAbs().sum() + k_min.cwiseAbs().sum();
+    // d error / d share, then d error / d score
+    const Matrix of_shares = (data.k_max.array().colwise() * k_max.array().sign() +
+                              data.k_min.array().colwise() * k_min.array().sign())
+                                 .matrix();
+    const Eigen::VectorXd means = shares.cwiseProduct(of_shares).rowwise().sum();
+    const Matrix of_scores = -shares.cwiseProduct(of_shares.colwise() - means);
+    gradient += factor / error * data.statistics.transpose() * of_scores;
   }
 
   // mean over the rows of the logarithm of the excess, if EXACT_3_RINGS was chosen there, and else what is best for the row
@@ -175,7 +224,7 @@ private:
       double error = 0.;
       for(const Vertex_record& v : row.vertices)
         error += double(exactness_of(v.statistics)) < exactness
-                     ? (std::max)((std::min)(double(v.errors[exact]) / row.best_error, 100.), 1.)
+                     ? (std::max)((std::min)(error_of(v.errors[exact]) / row.best_error, 100.), 1.)
                      : 1.;
       sum += std::log(error / double(row.vertices.size()));
     }
@@ -209,15 +258,30 @@ Calibration_row calibration_row(const Row& row, std::size_t at_most)
   return result;
 }
 
-std::size_t choose(const Scores& scores, const std::array<float, number_of_statistics>& statistics)
+Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
 {
-  if(double(exactness_of(statistics)) < scores.exactness)
-    return exact;
+  if(double(exactness_of(vertex.statistics)) < scores.exactness)
+    return vertex.errors[exact];
   std::array<double, number_of_candidates> score = scores.weights[0];
   for(std::size_t k = 0; k < scores.statistics.size(); ++k)
     for(std::size_t c = 0; c < number_of_candidates; ++c)
-      score[c] += scores.weights[k + 1][c] * double(statistics[scores.statistics[k]]);
-  return std::size_t(std::min_element(score.begin(), score.end()) - score.begin());
+      score[c] += scores.weights[k + 1][c] * double(vertex.statistics[scores.statistics[k]]);
+  double least = std::numeric_limits<double>::infinity();
+  for(std::size_t c = 0; c < number_of_candidates; ++c)
+    if(std::isfinite(vertex.errors[c].k_max))
+      least = (std::min)(least, score[c]);
+  double sum = 0., k_max = 0., k_min = 0.;
+  for(std::size_t c = 0; c < number_of_candidates; ++c)
+    if(std::isfinite(vertex.errors[c].k_max))
+    {
+      const double share = std::exp(least - score[c]);
+      if(share < Shape_characteristics::internal::least_adaptive_share)
+        continue;
+      sum += share;
+      k_max += share * double(vertex.errors[c].k_max);
+      k_min += share * double(vertex.errors[c].k_min);
+    }
+  return {float(k_max / sum), float(k_min / sum)};
 }
 
 double excess(const Scores& scores, const Calibration_row& row)
@@ -225,7 +289,7 @@ double excess(const Scores& scores, const Calibration_row& row)
   constexpr double largest = 100.; // a single vertex mustn't decide alone
   double sum = 0.;
   for(const Vertex_record& v : row.vertices)
-    sum += (std::min)(double(v.errors[choose(scores, v.statistics)]) / row.best_error, largest);
+    sum += (std::min)(error_of(blend(scores, v)) / row.best_error, largest);
   return sum / double(row.vertices.size());
 }
 
@@ -282,9 +346,9 @@ std::string to_header(const Scores& scores, const std::string& command)
       << "\n\n// where EXACT_3_ANGLES - POINTS_3_ANGLES is less, EXACT_3_RINGS is chosen\n"
          "inline constexpr double adaptive_exactness = "
       << text(scores.exactness)
-      << ";\n\n// Elsewhere the estimator with the lowest score: the logarithm of the error that it "
-         "predicts, up to a sum that "
-         "is common to\n// all, as a linear function of these statistics.\n"
+      << ";\n\n// Elsewhere the estimators are blended in proportion to exp(-score): a linear function of "
+         "these "
+         "statistics.\n"
          "// clang-format off\n"
          "inline constexpr std::array<Adaptive_statistic, "
       << scores.statistics.size() << "> adaptive_score_statistics = {{\n";

@@ -11,9 +11,9 @@
 
 namespace adaptive {
 
-/// The constants of adaptive_curvatures(). The estimator with the lowest score is chosen: a constant and a linear function of
-/// some statistics, the logarithm of the error that it predicts. Before that, where EXACT_3_ANGLES - POINTS_3_ANGLES is below
-/// `exactness`, EXACT_3_RINGS is chosen without asking further.
+/// The constants of adaptive_curvatures(). The estimators are blended in proportion to exp(-score), a constant and a linear
+/// function of some statistics. Before that, where EXACT_3_ANGLES - POINTS_3_ANGLES is below `exactness`, EXACT_3_RINGS is
+/// chosen without asking further.
 struct Scores
 {
   double exactness = -1e3;
@@ -35,10 +35,10 @@ Calibration_row calibration_row(const Row& row, std::size_t at_most);
 /// The number of the candidate with the least mean error of a row.
 std::size_t best_candidate(const Row& row);
 
-/// The candidate that is chosen.
-std::size_t choose(const Scores& scores, const std::array<float, number_of_statistics>& statistics);
+/// The errors of the blend of candidates, as if their principal directions were the same.
+Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex);
 
-/// How much larger than that of the best candidate the mean error of what is chosen is.
+/// How much larger than that of the best candidate the mean error of the blend is.
 double excess(const Scores& scores, const Calibration_row& row);
 
 /// Learns the constants: those under which the mean over the rows of the logarithm of the error is least. `log` is told how well they

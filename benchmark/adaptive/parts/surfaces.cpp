@@ -7,6 +7,8 @@
 #include "test_functions.h"
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace adaptive {
 namespace {
@@ -93,6 +95,42 @@ void add_level_set(std::vector<Surface>& list,
                     [f](const Vector& p) { return exact_at(f, p); }});
 }
 
+// a sum of waves in random directions; `shortest` is that of their lengths
+class Random_waves
+{
+public:
+  Random_waves(benchmark_support::Random& random, double shortest, double steepness)
+  {
+    constexpr int number = 5;
+    for(int k = 0; k < number; ++k)
+    {
+      const double length = shortest * std::pow(4., random.uniform(0., 1.)), pi = 3.14159265358979324;
+      Vector direction;
+      for(std::size_t i = 0; i < 3; ++i)
+        direction[i] = random.gaussian();
+      m_waves.push_back({(2. * pi / length) * normalized(direction), random.uniform(0., 2. * pi),
+                         steepness * length / (2. * pi * std::sqrt(double(number)))});
+    }
+  }
+
+  Number operator()(const Number& x, const Number& y, const Number& z) const
+  {
+    Number sum(0.);
+    for(const Wave& wave : m_waves)
+      sum = sum + wave.height * sin(wave.direction.x * x + wave.direction.y * y + wave.direction.z * z +
+                                    Number(wave.phase));
+    return sum;
+  }
+
+private:
+  struct Wave
+  {
+    Vector direction;
+    double phase, height;
+  };
+  std::vector<Wave> m_waves;
+};
+
 std::vector<Surface> calibration(double scale)
 {
   std::vector<Surface> list;
@@ -148,6 +186,24 @@ std::vector<Surface> calibration(double scale)
   add_level_set(list, "cushion", 1.6, m,
                 [](const Number& x, const Number& y, const Number& z)
                 { return x * x * x * x + .5 * y * y + z * z + .2 * x * y * z - 1.; });
+  // and such as nobody thought of
+  benchmark_support::Random random(3);
+  for(int k = 0; k < 10; ++k)
+  {
+    const double shortest = .15 * std::pow(10., k / 9.);
+    const Random_waves waves(random, shortest, .3 + .1 * (k % 4));
+    add_graph(list, "sea " + std::to_string(k), 1., n,
+              [waves](const Number& x, const Number& y) { return waves(x, y, Number(0.)); });
+  }
+  for(int k = 0; k < 8; ++k)
+  {
+    const double shortest = .4 * std::pow(6., k / 7.);
+    const Random_waves waves(random, shortest, .2 + .1 * (k % 4));
+    const double a = random.uniform(.7, 1.4), b = random.uniform(.7, 1.4);
+    add_level_set(list, "boulder " + std::to_string(k), 1.9, m,
+                  [waves, a, b](const Number& x, const Number& y, const Number& z)
+                  { return sqrt(a * x * x + b * y * y + z * z) - 1.05 + waves(x, y, z); });
+  }
   return list;
 }
 

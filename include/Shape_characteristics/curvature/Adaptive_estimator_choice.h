@@ -4,7 +4,7 @@
 namespace Shape_characteristics {
 
 /// \ingroup PkgShapeCharacteristicsCurvature
-/// the estimators among which `adaptive_curvatures()` chooses at each sample: Hermite radial basis functions that
+/// the estimators that `adaptive_curvatures()` blends at each sample: Hermite radial basis functions that
 /// trust points and normals to different degrees, over neighborhoods of different sizes
 enum class Adaptive_estimator_choice : unsigned char
 {
@@ -13,10 +13,12 @@ enum class Adaptive_estimator_choice : unsigned char
   POINTS_2_RINGS, ///< points are exact, normals are weak evidence; two rings
   POINTS_3_RINGS, ///< points are exact, normals are weak evidence; three rings
   POINTS_4_RINGS, ///< points are exact and the surface is smooth, normals are weak evidence; four rings (60 neighbors)
-  NORMALS_3_RINGS,  ///< points are noisy, normals are trusted; three rings
-  SMOOTHED_3_RINGS, ///< points and normals are noisy, and are smoothed once before the fit; three rings
-  SMOOTHED_4_RINGS, ///< points and normals are noisy, and are smoothed once before the fit; four rings
-  NONE              ///< there is no estimate
+  NORMALS_3_RINGS, ///< points are noisy, normals are trusted; three rings
+  SMOOTHED_3_RINGS, ///< points and normals are a little noisy, and are smoothed twice before the fit; three rings
+  SMOOTHED_4_RINGS, ///< points and normals are noisy, and are smoothed twice before the fit; four rings
+  GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise
+  BARELY_SMOOTHED_4_RINGS, ///< points have a hundredth of the noise, and are not smoothed before the fit; four rings
+  NONE                     ///< there is no estimate
 };
 
 /// \ingroup PkgShapeCharacteristicsCurvature
@@ -41,6 +43,10 @@ constexpr const char* to_string(Adaptive_estimator_choice choice) noexcept
     return "SMOOTHED_3_RINGS";
   case Adaptive_estimator_choice::SMOOTHED_4_RINGS:
     return "SMOOTHED_4_RINGS";
+  case Adaptive_estimator_choice::GENTLY_SMOOTHED_4_RINGS:
+    return "GENTLY_SMOOTHED_4_RINGS";
+  case Adaptive_estimator_choice::BARELY_SMOOTHED_4_RINGS:
+    return "BARELY_SMOOTHED_4_RINGS";
   case Adaptive_estimator_choice::NONE:
     return "NONE";
   }

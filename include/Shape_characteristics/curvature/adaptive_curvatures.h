@@ -37,15 +37,15 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
 /*!
   \ingroup PkgShapeCharacteristicsCurvature
 
-  estimates the curvatures at the vertices of a mesh by the estimator that suits the data around each vertex, after
+  estimates the curvatures at the vertices of a mesh by the estimators that suit the data around each vertex, after
   an idea of Váša et al. (L. Váša, P. Vaněček, M. Prantl, V. Skorkovská, P. Martínek, I. Kolingerová, Mesh statistics for
   robust curvature estimation, Computer Graphics Forum 35(5), 2016).
 
   Nobody has to say what kind of data it is: whether normals are exact, estimated or noisy, how noisy the points are,
   how coarsely the surface was sampled. The candidates (`Adaptive_estimator_choice`) are Hermite radial basis functions as in
-  `hrbf_curvatures()`, that trust points and normals to different degrees. Which one has the least error is predicted
-  by a linear function for each, that a program has learned from surfaces whose curvature is known (`benchmark/adaptive`), of
-  statistics without units, means over the neighbors of a vertex:
+  `hrbf_curvatures()`, that trust points and normals to different degrees. Their shape operators are averaged with
+  weights \f$ e^{-s} \f$; the score \f$ s \f$ of each is a linear function, that a program has learned from surfaces whose
+  curvature is known (`benchmark/adaptive`), of statistics without units, means over the neighbors of a vertex:
 
   - how well normals and curvatures of a fit agree with its points along edges (of exact data they do up to the fifth power
     of the edge length),
@@ -53,7 +53,8 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
   - how far the points were moved by smoothing them, and whether to one side,
   - how much the surface bends between samples, how irregular they are, and the likeliest noise level.
 
-  Where the first of these says that normals are exact beyond doubt, nothing else is asked.
+  Where the first of these says that normals are exact beyond doubt, nothing else is asked; elsewhere mostly one or two have
+  a part in the average. Those with less than a fiftieth of the largest weight have none.
 
   \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
@@ -65,7 +66,7 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
   \cgalNamedParamsBegin
     \scMeshOutputParameters
     \cgalParamNBegin{vertex_estimator_map}
-      \cgalParamDescription{gets which estimator was chosen at each vertex}
+      \cgalParamDescription{gets which estimator has the largest weight at each vertex}
       \cgalParamType{a model of `WritablePropertyMap` with value type `Adaptive_estimator_choice`}
       \cgalParamDefault{not written}
     \cgalParamNEnd
@@ -77,8 +78,8 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
 
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
-  Complexity: linear in the number of vertices. Where normals are exact everywhere, two fits are made, else eight: then it took
-  60 times as long as `hrbf_curvatures()` with three rings, 2 ms a vertex on one processor.
+  Complexity: linear in the number of vertices. Where normals are exact beyond doubt everywhere, two fits are made at each
+  vertex, else up to sixteen, half of them over four rings: milliseconds a vertex on one processor.
 
   \cgalExample{curvature/adaptive_curvatures.cpp}
 */
@@ -123,8 +124,9 @@ std::size_t adaptive_curvatures(const FaceGraph& mesh,
     \scVertexOutputParameters
   \cgalNamedParamsEnd
 
-  The noise level is estimated from the surroundings of the vertex alone, some ten edges wide, and not from the
-  whole mesh. Where it has no part in the answer, as on clean data, the result has the bits of the whole mesh's.
+  The noise level is estimated from the surroundings of the vertex alone, some ten edges wide, and points farther away aren't
+  smoothed. Where normals are exact beyond doubt, neither has a part in the answer, and the result has the bits of the
+  whole mesh's.
 
   \return whether the curvatures were estimated, or why not
 
@@ -169,7 +171,7 @@ Estimation_status adaptive_curvatures(typename internal::Vertex_descriptor<FaceG
   \cgalNamedParamsBegin
     \scPointSetOutputParameters
     \cgalParamNBegin{estimator_map}
-      \cgalParamDescription{gets which estimator was chosen at each point}
+      \cgalParamDescription{gets which estimator has the largest weight at each point}
       \cgalParamType{a model of `WritablePropertyMap` with value type `Adaptive_estimator_choice`}
       \cgalParamDefault{not written}
     \cgalParamNEnd

@@ -8,9 +8,10 @@
 #include <Shape_characteristics/curvature/internal/adaptive_scores.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -22,8 +23,8 @@ struct Adaptive_estimates
   std::vector<Adaptive_estimator_choice> choices;
 };
 
-// Chooses the estimator with the lowest score for each sample, and gives its estimate. Where normals are exact beyond doubt,
-// nothing else is asked for.
+// Blends the estimators at each sample, in proportion to exp(-score). Where normals are exact beyond doubt, nothing else is
+// asked for.
 template <typename ConcurrencyTag, typename SampledSurface>
 class Adaptive_estimator
 {
@@ -36,81 +37,93 @@ public:
 
   Adaptive_estimates operator()()
   {
-    Adaptive_estimates result;
-    result.estimates.resize(m_size);
-    result.choices.assign(m_size, Choice::NONE);
-    const std::vector<Choice> choices = choose();
-    if(m_statistics.is_cancelled())
-      return result;
-    // whether there is an answer: else another fit may have one
-    const auto take = [&](const std::size_t i, const Choice choice)
-    {
-      result.estimates[i] = m_statistics.field(choice)[i].estimate();
-      result.choices[i] = choice;
-      return result.estimates[i].status != Estimation_status::DEGENERATE;
-    };
-    std::vector<std::size_t> failed;
-    for(std::size_t i = 0; i < m_size; ++i)
-      if(choices[i] != Choice::NONE && !take(i, choices[i]))
-        failed.push_back(i);
-    for(const Choice choice :
-        {Choice::POINTS_3_RINGS, Choice::SMOOTHED_3_RINGS, Choice::POINTS_2_RINGS, Choice::EXACT_2_RINGS})
-      failed.erase(
-          std::remove_if(failed.begin(), failed.end(), [&](const std::size_t i) { return take(i, choice); }),
-          failed.end());
-    for(std::size_t i = 0; i < m_size; ++i)
-    {
-      const Estimation_status status = m_statistics.surface().status(i);
-      if(!is_estimated(status))
-        result.estimates[i] = Curvature_estimate(status);
-      if(!is_estimated(result.estimates[i].status))
-        result.choices[i] = Choice::NONE;
-    }
+    Adaptive_estimates result = no_estimates();
+    const std::vector<std::size_t> others = take_exact_ones(result);
+    if(!others.empty() && !m_statistics.is_cancelled())
+      blend(others, result);
     if(m_statistics.is_cancelled()) // all or nothing: what would be chosen isn't known
-    {
-      result.estimates.assign(m_size, Curvature_estimate());
-      result.choices.assign(m_size, Choice::NONE);
-    }
+      result = no_estimates();
     m_statistics.finish();
     return result;
   }
 
 private:
-  // the estimator of each sample, NONE where there is nothing to be estimated
-  std::vector<Choice> choose()
+  Adaptive_estimates no_estimates() const
   {
-    std::vector<Choice> result(m_size, Choice::NONE);
+    Adaptive_estimates result;
+    result.estimates.resize(m_size);
+    result.choices.assign(m_size, Choice::NONE);
+    return result;
+  }
+
+  // returns the samples that are to be estimated otherwise
+  std::vector<std::size_t> take_exact_ones(Adaptive_estimates& result)
+  {
+    std::vector<std::size_t> others;
     const std::vector<float>& exact_angles = m_statistics.statistic(Adaptive_statistic::EXACT_3_ANGLES);
     const std::vector<float>& points_angles = m_statistics.statistic(Adaptive_statistic::POINTS_3_ANGLES);
     if(m_statistics.is_cancelled())
-      return result;
-    std::vector<std::size_t> others;
+      return others;
+    const Fitted_field& exact = m_statistics.field(Choice::EXACT_3_RINGS);
     for(std::size_t i = 0; i < m_size; ++i)
-      if(is_estimated(m_statistics.surface().status(i)))
-      {
-        if(double(exact_angles[i] - points_angles[i]) < adaptive_exactness)
-          result[i] = Choice::EXACT_3_RINGS;
-        else
-          others.push_back(i);
-      }
-    if(others.empty())
-      return result;
+    {
+      const Estimation_status status = m_statistics.surface().status(i);
+      if(!is_estimated(status))
+        result.estimates[i] = Curvature_estimate(status);
+      else if(double(exact_angles[i] - points_angles[i]) < adaptive_exactness &&
+              is_estimated(exact[i].status))
+        take(exact[i], Choice::EXACT_3_RINGS, i, result);
+      else
+        others.push_back(i);
+    }
+    return others;
+  }
+
+  void blend(const std::vector<std::size_t>& samples, Adaptive_estimates& result)
+  {
     std::array<const std::vector<float>*, adaptive_score_statistics.size()> statistics;
     for(std::size_t k = 0; k < statistics.size(); ++k)
-    {
       statistics[k] = &m_statistics.statistic(adaptive_score_statistics[k]);
-      if(m_statistics.is_cancelled())
-        return result;
-    }
-    for(const std::size_t i : others)
+    std::array<const Fitted_field*, number_of_adaptive_candidates> fields;
+    for(std::size_t c = 0; c < fields.size(); ++c)
+      fields[c] = &m_statistics.field(Choice(c));
+    if(m_statistics.is_cancelled())
+      return;
+    for(const std::size_t i : samples)
     {
       std::array<double, number_of_adaptive_candidates> scores = adaptive_score_weights[0];
       for(std::size_t k = 0; k < statistics.size(); ++k)
-        for(std::size_t c = 0; c < number_of_adaptive_candidates; ++c)
+        for(std::size_t c = 0; c < scores.size(); ++c)
           scores[c] += adaptive_score_weights[k + 1][c] * double((*statistics[k])[i]);
-      result[i] = Choice(std::min_element(scores.begin(), scores.end()) - scores.begin());
+      std::size_t best = 0;
+      for(std::size_t c = 0; c < scores.size(); ++c)
+      {
+        if(!is_estimated((*fields[c])[i].status))
+          scores[c] = std::numeric_limits<double>::infinity();
+        if(scores[c] < scores[best])
+          best = c;
+      }
+      Fitted_sample mean = (*fields[best])[i];
+      if(is_estimated(mean.status))
+      {
+        double sum = 1.;
+        for(std::size_t c = 0; c < scores.size(); ++c)
+          if(const double share = std::exp(scores[best] - scores[c]);
+             c != best && share >= least_adaptive_share)
+          {
+            mean.add((*fields[c])[i], share);
+            sum += share;
+          }
+        mean.divide(sum);
+      }
+      take(mean, is_estimated(mean.status) ? Choice(best) : Choice::NONE, i, result);
     }
-    return result;
+  }
+
+  static void take(const Fitted_sample& fit, Choice choice, std::size_t i, Adaptive_estimates& result)
+  {
+    result.estimates[i] = fit.estimate();
+    result.choices[i] = is_estimated(result.estimates[i].status) ? choice : Choice::NONE;
   }
 
   Statistics& m_statistics;

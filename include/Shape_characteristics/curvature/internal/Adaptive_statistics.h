@@ -27,6 +27,9 @@ namespace internal {
 
 inline constexpr std::size_t number_of_adaptive_candidates = std::size_t(Adaptive_estimator_choice::NONE);
 
+// of the largest share: estimators with less have no part in a blend
+inline constexpr double least_adaptive_share = .02;
+
 /*
   What there is to be known of a sample and its surroundings, without units: lengths are in units of the size h of the
   nearest neighbors, curvatures in those of 1 / h. All but the last ones are decimal logarithms of means over the neighbors.
@@ -51,6 +54,8 @@ enum class Adaptive_statistic : unsigned char
   NORMALS_3_ANGLES,
   SMOOTHED_3_ANGLES,
   SMOOTHED_4_ANGLES,
+  GENTLY_4_ANGLES,
+  BARELY_4_ANGLES,
   // the second one, as an angle, too
   EXACT_2_TURNS,
   EXACT_3_TURNS,
@@ -60,6 +65,8 @@ enum class Adaptive_statistic : unsigned char
   NORMALS_3_TURNS,
   SMOOTHED_3_TURNS,
   SMOOTHED_4_TURNS,
+  GENTLY_4_TURNS,
+  BARELY_4_TURNS,
   // differences of the shape operators of two fits
   EXACT_2_EXACT_3,
   POINTS_2_POINTS_3,
@@ -71,6 +78,10 @@ enum class Adaptive_statistic : unsigned char
   POINTS_4_SMOOTHED_4,
   NORMALS_3_SMOOTHED_3,
   SMOOTHED_3_SMOOTHED_4,
+  SMOOTHED_3_GENTLY_4,
+  SMOOTHED_4_GENTLY_4,
+  GENTLY_4_BARELY_4,
+  POINTS_4_BARELY_4,
   // angles between the given normals and those of a fit
   POINTS_3_NORMALS,
   SMOOTHED_3_NORMALS,
@@ -130,6 +141,9 @@ public:
     return m_noise_level;
   }
 
+  // a part of it, but not less than points without noise have
+  double noise_level(double part) { return (std::max)(part * noise_level(), least_noise_level); }
+
   const Fitted_field& field(Choice choice)
   {
     Fitted_field& field = m_fields[std::size_t(choice)];
@@ -158,10 +172,18 @@ public:
         field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
         break;
       case Choice::SMOOTHED_3_RINGS:
-        field = fit_inexact(3, noise_level(), default_normal_noise(), 2);
+        field = fit_inexact(3, noise_level(.1), default_normal_noise(), smoothing_passes);
+        break;
+      case Choice::SMOOTHED_4_RINGS:
+        field = fit_inexact(4, noise_level(), default_normal_noise(), smoothing_passes);
+        break;
+      case Choice::GENTLY_SMOOTHED_4_RINGS:
+        field = noise_level(.1) < noise_level()
+                    ? fit_inexact(4, noise_level(.1), default_normal_noise(), smoothing_passes)
+                    : this->field(Choice::SMOOTHED_4_RINGS);
         break;
       default:
-        field = fit_inexact(4, noise_level(), default_normal_noise(), 2);
+        field = fit_inexact(4, noise_level(.01), default_normal_noise(), 1);
       }
     }
     return field;
@@ -177,7 +199,8 @@ public:
 
 private:
   static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
-  static constexpr double trusted_normal_noise = 1e-3;
+  static constexpr double trusted_normal_noise = 1e-3, least_noise_level = 1e-6;
+  static constexpr unsigned int smoothing_passes = 3;
 
   struct Nothing
   {};
@@ -275,6 +298,14 @@ private:
       return differences(Choice::NORMALS_3_RINGS, Choice::SMOOTHED_3_RINGS);
     case Name::SMOOTHED_3_SMOOTHED_4:
       return differences(Choice::SMOOTHED_3_RINGS, Choice::SMOOTHED_4_RINGS);
+    case Name::SMOOTHED_3_GENTLY_4:
+      return differences(Choice::SMOOTHED_3_RINGS, Choice::GENTLY_SMOOTHED_4_RINGS);
+    case Name::SMOOTHED_4_GENTLY_4:
+      return differences(Choice::SMOOTHED_4_RINGS, Choice::GENTLY_SMOOTHED_4_RINGS);
+    case Name::GENTLY_4_BARELY_4:
+      return differences(Choice::GENTLY_SMOOTHED_4_RINGS, Choice::BARELY_SMOOTHED_4_RINGS);
+    case Name::POINTS_4_BARELY_4:
+      return differences(Choice::POINTS_4_RINGS, Choice::BARELY_SMOOTHED_4_RINGS);
     case Name::POINTS_3_NORMALS:
       return normals(Choice::POINTS_3_RINGS);
     case Name::SMOOTHED_3_NORMALS:

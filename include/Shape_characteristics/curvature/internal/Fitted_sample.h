@@ -68,6 +68,24 @@ struct Fitted_sample
     return Curvature_estimate(status, curvatures_of_implicit(normal, hessian));
   }
 
+  // for weighted means of fits to one sample: sums, of which this one is the first
+  void add(const Fitted_sample& other, double weight)
+  {
+    displacement += weight * other.displacement;
+    normal += weight * other.normal;
+    for(std::size_t k = 0; k < shape.size(); ++k)
+      shape[k] += weight * other.shape[k];
+  }
+
+  // by the sum of weights; the normal is a unit vector again
+  void divide(double weight)
+  {
+    displacement /= weight;
+    normal.normalize();
+    for(double& entry : shape)
+      entry /= weight;
+  }
+
 private:
   explicit Fitted_sample(Estimation_status status) : Fitted_sample() { this->status = status; }
 };
