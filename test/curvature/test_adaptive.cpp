@@ -168,7 +168,7 @@ constexpr std::initializer_list<Choice> exact = {Choice::EXACT_2_RINGS, Choice::
 } // namespace
 
 // What kind of data it is shows in the choices, without being told; and the error is never much larger than with what somebody
-// would choose who knows it.
+// would choose who knows it, and less where there is noise.
 BOOST_AUTO_TEST_CASE(choices_and_errors)
 {
   for(const Analytic_surface& s : surfaces())
@@ -188,9 +188,12 @@ BOOST_AUTO_TEST_CASE(choices_and_errors)
             BOOST_TEST(a.share(positions) > .95);
           if(given != Given::EXACT && noise > 0.)
             BOOST_TEST(a.share(noisy) > .7);
-          BOOST_TEST(a.error < 1.25 * hrbf(data, true, 3));
-          BOOST_TEST(a.error < 1.25 * hrbf(data, false, 2));
-          BOOST_TEST(a.error < 1.25 * hrbf(data, false, 3));
+          const double of_exact_fit = hrbf(data, true, 3),
+                       of_others = (std::min)(hrbf(data, false, 2), hrbf(data, false, 3));
+          BOOST_TEST_MESSAGE(s.name << ", " << int(given) << ", noise " << noise << ": mean error " << a.error
+                                    << ", with exact normals " << of_exact_fit << ", else " << of_others);
+          BOOST_TEST(a.error < 1.25 * of_exact_fit);
+          BOOST_TEST(a.error < (noise > 0. ? 1. : 1.25) * of_others);
         }
 }
 
