@@ -57,6 +57,17 @@ const Hrbf two_passes_told{[](const auto& np)
                            { return np.noise_level(.03).number_of_passes(2u).number_of_rings(3u); }};
 const Hrbf unaware{[](const auto& np) { return np.noise_level(0.).number_of_passes(1u); }};
 
+// Gaussian, on each coordinate of the points; in mean edge lengths
+Analytic_surface with_noise(Analytic_surface s, double level)
+{
+  benchmark_support::Random random(11);
+  const double sigma = level * s.mean_edge_length();
+  for(auto& p : s.points)
+    for(std::size_t c = 0; c < 3; ++c)
+      p[c] += sigma * random.gaussian();
+  return s;
+}
+
 template <typename Function>
 Analytic_surface
 analytic_surface(const Function& f, const benchmark_support::Triangle_arrays& mesh, std::string name)
@@ -322,14 +333,9 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_system_of_the_thesis)
 // with noise on the points, the default is better than a fit that takes them as they are
 BOOST_AUTO_TEST_CASE(noise)
 {
-  for(Analytic_surface s :
-      {test_support::torus(1., .4, 64, 32, .2, 6), test_support::ellipsoid(1., .8, .6, 4, .2, 5)})
+  for(const Analytic_surface& s : {with_noise(test_support::torus(1., .4, 64, 32, .2, 6), .1),
+                                   with_noise(test_support::ellipsoid(1., .8, .6, 4, .2, 5), .1)})
   {
-    benchmark_support::Random random(11);
-    const double sigma = .1 * s.mean_edge_length();
-    for(auto& p : s.points)
-      for(std::size_t c = 0; c < 3; ++c)
-        p[c] += sigma * random.gaussian();
     const double error = errors(s, run(by_default, s, Normals::ESTIMATED), 0.).mean;
     const double error_of_unaware = errors(s, run(unaware, s, Normals::ESTIMATED), 0.).mean;
     const double error_of_three = errors(s, run(three_rings, s, Normals::ESTIMATED), 0.).mean;
@@ -343,14 +349,9 @@ BOOST_AUTO_TEST_CASE(noise)
 // where the surface bends as well, several passes smooth it less than if each took all of the noise for its own
 BOOST_AUTO_TEST_CASE(noise_of_bending_surfaces)
 {
-  for(Analytic_surface s :
-      {test_support::torus(1., .4, 40, 20, .2, 6), test_support::ellipsoid(1., .8, .3, 3, .2, 5)})
+  for(const Analytic_surface& s : {with_noise(test_support::torus(1., .4, 40, 20, .2, 6), .03),
+                                   with_noise(test_support::ellipsoid(1., .8, .3, 3, .2, 5), .03)})
   {
-    benchmark_support::Random random(11);
-    const double sigma = .03 * s.mean_edge_length();
-    for(auto& p : s.points)
-      for(std::size_t c = 0; c < 3; ++c)
-        p[c] += sigma * random.gaussian();
     const double error = errors(s, run(three_rings, s, Normals::ESTIMATED), 0.).mean;
     const double error_of_told = errors(s, run(two_passes_told, s, Normals::ESTIMATED), 0.).mean;
     BOOST_TEST_MESSAGE(s.name << ", noise 0.03, 3 rings: mean error " << error

@@ -120,7 +120,7 @@ void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_c
       row.vertices[i].errors[c] = e;
       if(std::isfinite(e.k_max))
       {
-        sum += double(std::abs(e.k_max) + std::abs(e.k_min));
+        sum += e.sum();
         ++number;
       }
     }

@@ -6,6 +6,7 @@
 #include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -38,6 +39,8 @@ struct Vertex_record
   struct Error
   {
     float k_max, k_min;
+
+    double sum() const { return std::abs(double(k_max)) + std::abs(double(k_min)); }
   };
 
   std::array<float, number_of_statistics> statistics;

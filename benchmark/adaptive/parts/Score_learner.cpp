@@ -68,11 +68,6 @@ float exactness_of(const std::array<float, number_of_statistics>& s)
 
 constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::EXACT_3_RINGS);
 
-double error_of(const Vertex_record::Error& e)
-{
-  return double(std::abs(e.k_max)) + double(std::abs(e.k_min));
-}
-
 using Matrix = Eigen::MatrixXd;
 
 // The vertices of a row: what is known, and the candidates' errors in units of the best one's mean; one line per vertex.
@@ -224,7 +219,7 @@ private:
       double error = 0.;
       for(const Vertex_record& v : row.vertices)
         error += double(exactness_of(v.statistics)) < exactness
-                     ? (std::max)((std::min)(error_of(v.errors[exact]) / row.best_error, 100.), 1.)
+                     ? (std::max)((std::min)(v.errors[exact].sum() / row.best_error, 100.), 1.)
                      : 1.;
       sum += std::log(error / double(row.vertices.size()));
     }
@@ -289,7 +284,7 @@ double excess(const Scores& scores, const Calibration_row& row)
   constexpr double largest = 100.; // a single vertex mustn't decide alone
   double sum = 0.;
   for(const Vertex_record& v : row.vertices)
-    sum += (std::min)(error_of(blend(scores, v)) / row.best_error, largest);
+    sum += (std::min)(blend(scores, v).sum() / row.best_error, largest);
   return sum / double(row.vertices.size());
 }
 
