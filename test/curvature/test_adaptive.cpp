@@ -197,6 +197,15 @@ BOOST_AUTO_TEST_CASE(choices_and_errors)
         }
 }
 
+// the blend, and not the estimator with the largest weight alone, which is farther off here
+BOOST_AUTO_TEST_CASE(blend)
+{
+  const Data data(surfaces()[0], Given::MISLEADING, .08);
+  const double error = adaptive(data).error, error_of_hrbf = hrbf(data, false, 3);
+  BOOST_TEST_MESSAGE("mean error " << error << ", of HRBF " << error_of_hrbf);
+  BOOST_TEST(error < .61 * error_of_hrbf);
+}
+
 BOOST_AUTO_TEST_CASE(threads)
 {
 #ifdef CGAL_LINKED_WITH_TBB
