@@ -101,6 +101,23 @@ Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, 
 
 const auto all = [](std::size_t) { return true; };
 
+// two pyramids on one polygon: apexes with many neighbors, which lie in several blocks of vertices
+Polygon_arrays bipyramid(std::size_t n)
+{
+  Polygon_arrays a;
+  a.name = "bipyramid";
+  a.points = {{0., 0., 1.}, {0., 0., -1.}};
+  for(std::size_t i = 0; i < n; ++i)
+  {
+    const double angle = 2. * 3.141592653589793 * double(i) / double(n);
+    a.points.push_back({std::cos(angle), std::sin(angle), .1 * std::sin(3. * angle)});
+    const std::size_t j = 2 + i, k = 2 + (i + 1) % n;
+    a.faces.push_back({0, j, k});
+    a.faces.push_back({1, k, j});
+  }
+  return a;
+}
+
 std::vector<Polygon_arrays> some_meshes()
 {
   return {arrays(waves(.1, 4., 1., 8, .15)),
@@ -109,6 +126,7 @@ std::vector<Polygon_arrays> some_meshes()
           prism_of_polygons(),
           bow_tie(),
           isolated_vertices(),
+          bipyramid(40),
           thin_strip(20)};
 }
 
@@ -127,6 +145,35 @@ BOOST_AUTO_TEST_CASE(rings_are_those_of_a_breadth_first_search)
         for(std::size_t v = 0; v < a.points.size(); ++v)
           BOOST_TEST((samples.neighbors(v, 0, workspace) == plain_search(a, v, rings, all)), "vertex " << v);
       }
+}
+
+// Vertices are looked at in blocks, by several threads.
+BOOST_AUTO_TEST_CASE(edges_are_those_of_the_faces)
+{
+  for(const Polygon_arrays& a :
+      {bipyramid(3000), arrays(torus(1., .4, 80, 40, .1)), arrays(waves(.1, 4., 1., 50, .15))})
+    BOOST_TEST_CONTEXT(a.name)
+    {
+      const Mesh mesh = build_mesh<Mesh>(a);
+      const auto vpm = get(CGAL::vertex_point, mesh);
+      const Face_graph_samples samples(mesh, vpm, Neighborhood::rings(1)),
+          by_threads(mesh, vpm, Neighborhood::rings(1), Face_graph_samples::Connectivity::NEIGHBORS,
+                     CGAL::Parallel_if_available_tag());
+      BOOST_TEST(samples.size() > 2048u);
+      const auto expected = adjacency(a);
+      Face_graph_samples::Workspace workspace;
+      std::size_t failures = 0;
+      for(std::size_t i = 0; i < samples.size(); ++i)
+        for(const Face_graph_samples* s : {&samples, &by_threads})
+        {
+          const Indices& neighbors = s->neighbors(i, 0, workspace);
+          failures += neighbors.size() != expected[i].size() ||
+                      std::set<std::size_t>(neighbors.begin(), neighbors.end()) != expected[i];
+        }
+      BOOST_TEST(failures == 0u);
+      BOOST_TEST((samples.traversal_order() == by_threads.traversal_order()));
+      BOOST_TEST(samples.mean_spacing() == by_threads.mean_spacing());
+    }
 }
 
 // As long as there are less than the minimum, one ring more, but not more than two.

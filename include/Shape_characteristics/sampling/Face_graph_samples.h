@@ -93,12 +93,6 @@ public:
     : m_neighborhood(neighborhood)
   {
     check_neighborhood();
-    m_points.reserve(num_vertices(mesh));
-    for(const auto v : vertices(mesh))
-    {
-      check_size(m_points.size());
-      add_point(get(vpm, v));
-    }
     if constexpr(CGAL::graph_has_property<FaceGraph, boost::vertex_index_t>::value)
     {
       // The mesh's own numbers, where they are in order: they cost nothing.
@@ -109,8 +103,8 @@ public:
         is_in_order = is_in_order && std::size_t(get(index_map, v)) == i++;
       if(is_in_order)
       {
-        copy_connectivity<ConcurrencyTag>(
-            mesh, [&](const auto v) { return Index(get(index_map, v)); }, connectivity);
+        copy<ConcurrencyTag>(
+            mesh, vpm, [&](const auto v) { return Index(get(index_map, v)); }, connectivity);
         return;
       }
     }
@@ -118,8 +112,8 @@ public:
     Index i = 0;
     for(const auto v : vertices(mesh))
       put(index_map, v, i++);
-    copy_connectivity<ConcurrencyTag>(
-        mesh, [&](const auto v) { return get(index_map, v); }, connectivity);
+    copy<ConcurrencyTag>(
+        mesh, vpm, [&](const auto v) { return get(index_map, v); }, connectivity);
   }
 
   /*!
@@ -213,8 +207,10 @@ public:
           add_face(mesh, face(h, mesh), index);
       }
     }
+    for(std::size_t f = 0; f < number_of_faces(); ++f)
+      begin_with_smallest(f);
     find_incidence<CGAL::Sequential_tag>(true);
-    find_adjacency();
+    find_adjacency<CGAL::Sequential_tag>();
   }
 
   /// \name Samples
@@ -482,10 +478,43 @@ private:
     m_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
-  // statuses, faces, and what is wanted of the neighbors; `index` numbers the vertices
-  template <typename ConcurrencyTag, typename FaceGraph, typename VertexIndex>
-  void copy_connectivity(const FaceGraph& mesh, const VertexIndex& index, Connectivity connectivity)
+  struct Nothing
+  {};
+
+  // points, statuses, faces, and what is wanted of the neighbors; `index` numbers the vertices
+  template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap, typename VertexIndex>
+  void
+  copy(const FaceGraph& mesh, const VertexPointMap& vpm, const VertexIndex& index, Connectivity connectivity)
   {
+    // Elements of meshes are read one after the other, but those of faces while those of vertices are.
+    for_each_sample<ConcurrencyTag, Nothing>(
+        2,
+        [&](const std::size_t task, Nothing&)
+        {
+          if(task == 0)
+            copy_vertices(mesh, vpm, index);
+          else
+            copy_faces(mesh, index);
+        },
+        {}, 1);
+    for_each_sample<ConcurrencyTag, Nothing>(
+        number_of_faces(), [&](const std::size_t f, Nothing&) { begin_with_smallest(f); }, {}, s_block);
+    find_incidence<ConcurrencyTag>(connectivity != Connectivity::NEIGHBORS);
+    if(connectivity != Connectivity::FACES)
+      find_adjacency<ConcurrencyTag>();
+    if(connectivity == Connectivity::NEIGHBORS)
+      forget_faces();
+  }
+
+  template <typename FaceGraph, typename VertexPointMap, typename VertexIndex>
+  void copy_vertices(const FaceGraph& mesh, const VertexPointMap& vpm, const VertexIndex& index)
+  {
+    m_points.reserve(num_vertices(mesh));
+    for(const auto v : vertices(mesh))
+    {
+      check_size(m_points.size());
+      add_point(get(vpm, v));
+    }
     m_status.assign(size(), Estimation_status::ESTIMATED);
     for(const auto h : halfedges(mesh))
       if(CGAL::is_border(h, mesh))
@@ -493,14 +522,14 @@ private:
     m_is_border.reserve(size());
     for(const Estimation_status status : m_status)
       m_is_border.push_back(status == Estimation_status::BORDER);
+  }
+
+  template <typename FaceGraph, typename VertexIndex>
+  void copy_faces(const FaceGraph& mesh, const VertexIndex& index)
+  {
     m_face_vertices.reserve(3 * num_faces(mesh));
     for(const auto f : faces(mesh))
       add_face(mesh, f, index);
-    find_incidence<ConcurrencyTag>(connectivity != Connectivity::NEIGHBORS);
-    if(connectivity != Connectivity::FACES)
-      find_adjacency();
-    if(connectivity == Connectivity::NEIGHBORS)
-      forget_faces();
   }
 
   // whether the halfedge `h` of a copied vertex is the one of its face that lists the face: all the vertices of the
@@ -539,12 +568,15 @@ private:
     }
     if(!m_face_begin.empty())
       m_face_begin.push_back(Index(end));
-    // The first vertex doesn't depend on where the mesh starts to count.
-    begin_with_smallest(m_face_vertices.begin() + std::ptrdiff_t(begin), m_face_vertices.end());
   }
 
-  void begin_with_smallest(std::vector<Index>::iterator first, std::vector<Index>::iterator last)
+  std::size_t first_corner(std::size_t f) const { return m_face_begin.empty() ? 3 * f : m_face_begin[f]; }
+
+  // The first vertex of a face doesn't depend on where the mesh starts to count.
+  void begin_with_smallest(std::size_t f)
   {
+    const auto first = m_face_vertices.begin() + std::ptrdiff_t(first_corner(f));
+    const auto last = first + std::ptrdiff_t(degree(f));
     std::rotate(first,
                 std::min_element(first, last,
                                  [&](const Index a, const Index b)
@@ -552,20 +584,12 @@ private:
                 last);
   }
 
-  std::size_t first_corner(std::size_t f) const { return m_face_begin.empty() ? 3 * f : m_face_begin[f]; }
-
-  void reorder_face(std::size_t f)
-  {
-    const auto first = m_face_vertices.begin() + std::ptrdiff_t(first_corner(f));
-    begin_with_smallest(first, first + std::ptrdiff_t(degree(f)));
-  }
-
   // after points were moved; both return the vertices of the faces, and the vertices themselves
   template <typename ConcurrencyTag>
   std::vector<Index> reorder_all_faces()
   {
     for_each_sample<ConcurrencyTag, Index>(
-        number_of_faces(), [&](const std::size_t f, Index&) { reorder_face(f); }, {}, s_block);
+        number_of_faces(), [&](const std::size_t f, Index&) { begin_with_smallest(f); }, {}, s_block);
     std::vector<Index> all(size());
     std::iota(all.begin(), all.end(), Index(0));
     return all;
@@ -584,7 +608,7 @@ private:
         if(is_visited[f])
           continue;
         is_visited[f] = true;
-        reorder_face(f);
+        begin_with_smallest(f);
         for(std::size_t c = 0; c < degree(f); ++c)
           if(const Index j = vertex(f, c); !is_near[j])
           {
@@ -686,38 +710,98 @@ private:
   }
 
   // the vertices next to each vertex, in no order to rely on
+  template <typename ConcurrencyTag>
   void find_adjacency()
   {
-    m_adjacency_begin.assign(1, 0);
-    m_adjacency_begin.reserve(size() + 1);
-    m_adjacency.reserve(m_face_vertices.size() + m_face_vertices.size() / 64);
-    std::vector<Index> seen(size(), Index(size()));
-    for(std::size_t i = 0; i < size(); ++i)
+    // Each block of vertices collects its own; then they are put one after the other.
+    const std::size_t number_of_blocks = (size() + s_block - 1) / s_block;
+    std::vector<std::vector<Index> > blocks(number_of_blocks);
+    m_adjacency_begin.assign(size() + 1, 0);
+    for_each_sample<ConcurrencyTag, Nothing>(
+        number_of_blocks,
+        [&](const std::size_t b, Nothing&)
+        {
+          const std::size_t first = b * s_block, last = (std::min)(first + s_block, size());
+          const std::size_t corners = m_incidence_begin[last] - m_incidence_begin[first];
+          blocks[b].reserve(corners + corners / 64 + 2);
+          for(std::size_t i = first; i < last; ++i)
+          {
+            const std::size_t before = blocks[b].size();
+            append_adjacent(i, blocks[b]);
+            m_adjacency_begin[i + 1] = Index(blocks[b].size() - before);
+          }
+        },
+        {}, 1);
+    std::size_t total = 0;
+    for(Index& begin : m_adjacency_begin)
     {
-      for_each_vertex_next_to(i,
-                              [&](const Index j)
-                              {
-                                if(seen[j] == i)
-                                  return;
-                                seen[j] = Index(i);
-                                m_adjacency.push_back(j);
-                              });
-      check_size(m_adjacency.size());
-      m_adjacency_begin.push_back(Index(m_adjacency.size()));
+      total += begin;
+      check_size(total);
+      begin = Index(total);
     }
+    m_adjacency.resize(total);
+    for_each_sample<ConcurrencyTag, Nothing>(
+        number_of_blocks,
+        [&](const std::size_t b, Nothing&)
+        {
+          std::copy(blocks[b].begin(), blocks[b].end(),
+                    m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[b * s_block]));
+          std::vector<Index>().swap(blocks[b]);
+        },
+        {}, 1);
+  }
+
+  void append_adjacent(std::size_t i, std::vector<Index>& list) const
+  {
+    const std::size_t begin = list.size();
+    // Inside of a surface of triangles, what comes before the vertex in one of them comes after it in another.
+    if(m_is_triangle_mesh && !m_is_border.empty() && !m_is_border[i])
+      for_each_incident_face(i, [&](const Index f, const std::size_t c)
+                             { list.push_back(vertex(f, s_next[c])); });
+    else
+      for_each_vertex_next_to(i, [&](const Index j) { list.push_back(j); });
+    remove_duplicates(list, begin);
+  }
+
+  // of all from number `begin` on
+  static void remove_duplicates(std::vector<Index>& list, std::size_t begin)
+  {
+    constexpr std::size_t few = 32;
+    const auto first = list.begin() + std::ptrdiff_t(begin);
+    auto end = first;
+    if(list.size() - begin <= few)
+      for(auto k = first; k != list.end(); ++k)
+      {
+        if(std::find(first, end, *k) == end)
+          *end++ = *k;
+      }
+    else
+    {
+      std::sort(first, list.end());
+      end = std::unique(first, list.end());
+    }
+    list.erase(end, list.end());
+  }
+
+  // `function(f, c)` for each face at vertex `i`, which is its corner `c`
+  template <typename Function>
+  void for_each_incident_face(std::size_t i, const Function& function) const
+  {
+    for(std::size_t k = m_incidence_begin[i]; k < m_incidence_begin[i + 1]; ++k)
+      function(m_incidence[k], corner(m_incidence[k], i));
   }
 
   // before and after it in each of its faces: twice, but for those on a border
   template <typename Function>
   void for_each_vertex_next_to(std::size_t i, const Function& function) const
   {
-    for(std::size_t k = m_incidence_begin[i]; k < m_incidence_begin[i + 1]; ++k)
-    {
-      const Index f = m_incidence[k];
-      const std::size_t c = corner(f, i), n = degree(f);
-      function(vertex(f, c + 1 == n ? 0 : c + 1));
-      function(vertex(f, c == 0 ? n - 1 : c - 1));
-    }
+    for_each_incident_face(i,
+                           [&](const Index f, const std::size_t c)
+                           {
+                             const std::size_t n = degree(f);
+                             function(vertex(f, c + 1 == n ? 0 : c + 1));
+                             function(vertex(f, c == 0 ? n - 1 : c - 1));
+                           });
   }
 
   // may come twice
