@@ -497,12 +497,14 @@ private:
             copy_faces(mesh, index);
         },
         {}, 1);
-    for_each_sample<ConcurrencyTag, Nothing>(
-        number_of_faces(), [&](const std::size_t f, Nothing&) { begin_with_smallest(f); }, {}, s_block);
-    find_incidence<ConcurrencyTag>(connectivity != Connectivity::NEIGHBORS);
+    const bool faces_are_seen = connectivity != Connectivity::NEIGHBORS;
+    if(faces_are_seen)
+      for_each_sample<ConcurrencyTag, Nothing>(
+          number_of_faces(), [&](const std::size_t f, Nothing&) { begin_with_smallest(f); }, {}, s_block);
+    find_incidence<ConcurrencyTag>(faces_are_seen);
     if(connectivity != Connectivity::FACES)
       find_adjacency<ConcurrencyTag>();
-    if(connectivity == Connectivity::NEIGHBORS)
+    if(!faces_are_seen)
       forget_faces();
   }
 
