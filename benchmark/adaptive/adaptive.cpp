@@ -38,13 +38,16 @@ std::string candidate_name(std::size_t c)
 class Comparison
 {
 public:
-  explicit Comparison(const std::string& title)
+  /// \param shared whether rows say how it fares with shared fits
+  Comparison(const std::string& title, bool shared) : m_shared(shared)
   {
     std::cout
         << "\n## " << title
         << "\n\nMAE(k_max) + MAE(k_min), all vertices. Best: of the estimators that it blends, and of the "
            "others.\n\n"
-           "| surface | given | adaptive | best | | ratio | seconds |\n|---|---|---:|---:|---|---:|---:|\n";
+           "| surface | given | adaptive | best | | ratio | seconds |"
+        << (shared ? " with shared fits | seconds |" : "") << "\n|---|---|---:|---:|---|---:|---:|"
+        << (shared ? "---:|---:|" : "") << "\n";
   }
 
   void add(const Row& row)
@@ -57,11 +60,16 @@ public:
     const double ratio = row.adaptive_error / best.second;
     std::cout << "| " << row.surface << " | " << row.conditions.name() << " | " << number(row.adaptive_error)
               << " | " << number(best.second) << " | " << best.first << " | " << number(ratio) << " | "
-              << number(row.adaptive_seconds) << " |\n";
+              << number(row.adaptive_seconds) << " |";
+    if(m_shared)
+      std::cout << " " << number(row.shared_error) << " | " << number(row.shared_seconds) << " |";
+    std::cout << "\n";
     std::cout.flush();
     ++m_rows;
     m_missed += ratio > 1.1;
     m_sum += std::log(row.adaptive_error);
+    m_sum_of_shared_errors += std::log(row.shared_error / row.adaptive_error);
+    m_sum_of_shared_times += std::log(row.shared_seconds / row.adaptive_seconds);
     m_ratios.push_back(ratio);
     for(const auto& [name, error] : singles)
       m_sums[name] += std::log(error);
@@ -75,11 +83,14 @@ public:
     if(!m_ratios.empty())
       std::cout << ", median ratio " << number(m_ratios[m_ratios.size() / 2]) << ", largest "
                 << number(m_ratios.back());
+    if(m_shared)
+      std::cout << "\n\nWith shared fits (geometric means): error " << number(mean(m_sum_of_shared_errors))
+                << ", time " << number(mean(m_sum_of_shared_times)) << " of that without";
     std::cout << "\n\n| estimator | mean error over the rows (geometric), in that of the adaptive one "
                  "|\n|---|---:|\n";
     std::vector<std::pair<double, std::string> > order;
     for(const auto& [name, sum] : m_sums)
-      order.emplace_back(std::exp((sum - m_sum) / double(m_rows)), name);
+      order.emplace_back(mean(sum - m_sum), name);
     std::sort(order.begin(), order.end());
     for(const auto& [ratio, name] : order)
       std::cout << "| " << name << " | " << number(ratio) << " |\n";
@@ -99,8 +110,12 @@ private:
     return best;
   }
 
+  /// of logarithms over the rows
+  double mean(double sum_of_logarithms) const { return std::exp(sum_of_logarithms / double(m_rows)); }
+
+  bool m_shared;
   std::size_t m_rows = 0, m_missed = 0, m_missed_others = 0;
-  double m_sum = 0.;
+  double m_sum = 0., m_sum_of_shared_errors = 0., m_sum_of_shared_times = 0.;
   std::vector<double> m_ratios;
   std::map<std::string, double> m_sums;
   bool m_is_best = false;
@@ -134,13 +149,14 @@ const char* const help =
     "  --seed N           of random points and noise (1)\n"
     "  --quick            few vertices of two surfaces; fails if a single estimator has a smaller mean over "
     "the rows\n"
+    "  --shared           with shared fits, too\n"
     "  --calibrate FILE   makes the constants of the library instead, and writes them as a header\n"
     "  --help             this text\n";
 
 int run(int argc, char** argv)
 {
   const benchmark_support::Command_line arguments(
-      argc, argv, {"purpose", "only", "scale", "seed", "calibrate"}, {"quick", "help"});
+      argc, argv, {"purpose", "only", "scale", "seed", "calibrate"}, {"quick", "shared", "help"});
   if(arguments.has("help"))
   {
     std::cout << help;
@@ -164,7 +180,8 @@ int run(int argc, char** argv)
     throw std::invalid_argument("--purpose: no " + name);
   Measurements measurements;
   measurements.records = measurements.adaptive = measurements.others = true;
-  Comparison comparison(name);
+  measurements.shared = arguments.has("shared");
+  Comparison comparison(name, measurements.shared);
   for_each_row(purposes.at(name), scale, arguments.number("seed", 1),
                arguments.text("only", quick ? "monkey" : ""), measurements,
                [&](const Row& row) { comparison.add(row); });

@@ -222,6 +222,31 @@ BOOST_AUTO_TEST_CASE(threads)
 #endif
 }
 
+// less accurate, but not by much; whatever the number of threads
+BOOST_AUTO_TEST_CASE(shared_fits)
+{
+  const Analytic_surface s = test_support::torus(1., .4, 72, 36, .2, 4);
+  for(const Given given : {Given::EXACT, Given::ESTIMATED})
+  {
+    const Data data(s, given, 0.);
+    const auto error_with = [&](const auto tag)
+    {
+      return answer(data,
+                    [](const auto& mesh, const auto& np, const auto& choices)
+                    {
+                      return SC::adaptive_curvatures<std::decay_t<decltype(tag)>>(
+                          mesh, np.fits_are_shared(true).vertex_estimator_map(choices));
+                    })
+          .error;
+    };
+    const double error = error_with(CGAL::Sequential_tag()), alone = adaptive(data).error;
+    BOOST_TEST_MESSAGE("mean error " << error << ", each for itself " << alone);
+    BOOST_TEST(error != alone);
+    BOOST_TEST(error < 2. * alone);
+    BOOST_TEST(error_with(CGAL::Parallel_if_available_tag()) == error);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(flip_and_permutation)
 {
   check_flip(Adaptive());

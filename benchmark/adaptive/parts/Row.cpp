@@ -101,7 +101,7 @@ void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_c
         return SC::sampled_surface(mesh, SC::Neighborhood::rings(rings),
                                    SC::parameters::vertex_normal_map(normals));
       },
-      {});
+      {}, false);
   row.vertices.resize(exact.size());
   for(std::size_t s = 0; s < number_of_statistics; ++s)
   {
@@ -177,14 +177,17 @@ void for_each_row(Purpose purpose,
       row.conditions = c;
       if(measurements.records)
         add_records(mesh, normals, exact, row);
-      if(measurements.adaptive)
+      const auto measure = [&](const bool fits_are_shared, double& mae, double& seconds)
       {
         const auto start = std::chrono::steady_clock::now();
-        const Estimates estimates = estimate_adaptively(mesh, normals);
-        row.adaptive_seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        row.adaptive_error = mean_error(mesh, estimates, exact);
-      }
+        const Estimates estimates = estimate_adaptively(mesh, normals, fits_are_shared);
+        seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        mae = mean_error(mesh, estimates, exact);
+      };
+      if(measurements.adaptive)
+        measure(false, row.adaptive_error, row.adaptive_seconds);
+      if(measurements.shared)
+        measure(true, row.shared_error, row.shared_seconds);
       if(measurements.others)
         for(const Other_estimator& other : other_estimators())
           row.others.emplace_back(other.name, mean_error(mesh, other.run(mesh, normals), exact));

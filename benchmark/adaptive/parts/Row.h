@@ -56,6 +56,8 @@ struct Row
   std::vector<double> mean_errors; ///< of the candidates, over all vertices, where there is an estimate
   double adaptive_error = 0.;      ///< of adaptive_curvatures()
   double adaptive_seconds = 0.;    ///< that it takes
+  double shared_error = 0.;        ///< of adaptive_curvatures() with shared fits
+  double shared_seconds = 0.;      ///< that it takes
   std::vector<std::pair<std::string, double> > others; ///< of other estimators
 };
 
@@ -64,6 +66,7 @@ struct Measurements
 {
   bool records = false;  ///< statistics and errors of candidates at all vertices
   bool adaptive = false; ///< `adaptive_curvatures()`
+  bool shared = false;   ///< the same with shared fits
   bool others = false;   ///< other estimators
 };
 

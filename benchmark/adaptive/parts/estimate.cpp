@@ -18,12 +18,13 @@ Estimates make_estimates(Mesh& mesh)
   return result;
 }
 
-Estimates estimate_adaptively(Mesh& mesh, Normal_map normals)
+Estimates estimate_adaptively(Mesh& mesh, Normal_map normals, bool fits_are_shared)
 {
   Estimates result = make_estimates(mesh);
   SC::adaptive_curvatures(mesh, SC::parameters::vertex_normal_map(normals)
                                     .vertex_principal_curvatures_and_directions_map(result.curvatures)
-                                    .vertex_status_map(result.statuses));
+                                    .vertex_status_map(result.statuses)
+                                    .fits_are_shared(fits_are_shared));
   return result;
 }
 

@@ -32,6 +32,12 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
                                       std::function<bool(double)>());
 }
 
+template <typename NamedParameters>
+bool adaptive_fits_are_shared(const NamedParameters& np)
+{
+  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::fits_are_shared), false);
+}
+
 } // namespace internal
 
 /*!
@@ -70,6 +76,13 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
       \cgalParamType{a model of `WritablePropertyMap` with value type `Adaptive_estimator_choice`}
       \cgalParamDefault{not written}
     \cgalParamNEnd
+    \cgalParamNBegin{fits_are_shared}
+      \cgalParamDescription{whether a function that was fitted at a vertex may serve the vertices near it as well}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{`true` is faster and less accurate: without noise mostly by a factor of some five, and by a third;
+                      with noise, which leaves less to be shared, both by a little.}
+    \cgalParamNEnd
     \scMeshInputParameters
     \scCallbackParameter
   \cgalNamedParamsEnd
@@ -96,7 +109,7 @@ std::size_t adaptive_curvatures(const FaceGraph& mesh,
   internal::Adaptive_statistics<ConcurrencyTag, Face_graph_samples> statistics(
       [&](const unsigned int rings)
       { return sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(rings), np); },
-      internal::adaptive_callback(np));
+      internal::adaptive_callback(np), internal::adaptive_fits_are_shared(np));
   internal::Adaptive_estimates result =
       internal::Adaptive_estimator<ConcurrencyTag, Face_graph_samples>(statistics, statistics.size())();
   internal::mark_duplicates(statistics.surface(), result.estimates);
@@ -144,7 +157,8 @@ Estimation_status adaptive_curvatures(typename internal::Vertex_descriptor<FaceG
   { return sampled_surface(v, mesh, Neighborhood::rings(rings), rings == 2 ? 3 : 2, np); };
   const std::array<Face_graph_samples, 3> surfaces = {surface(2), surface(3), surface(4)};
   internal::Adaptive_statistics<CGAL::Sequential_tag, Face_graph_samples> statistics(
-      [&](const unsigned int rings) { return surfaces[rings - 2]; }, internal::adaptive_callback(np));
+      [&](const unsigned int rings) { return surfaces[rings - 2]; }, internal::adaptive_callback(np),
+      internal::adaptive_fits_are_shared(np));
   Face_graph_samples::Workspace workspace;
   std::size_t size = 1;
   for(const auto i : surfaces[2].neighbors(0, 0, workspace))
@@ -175,6 +189,13 @@ Estimation_status adaptive_curvatures(typename internal::Vertex_descriptor<FaceG
       \cgalParamType{a model of `WritablePropertyMap` with value type `Adaptive_estimator_choice`}
       \cgalParamDefault{not written}
     \cgalParamNEnd
+    \cgalParamNBegin{fits_are_shared}
+      \cgalParamDescription{whether a function that was fitted at a point may serve the points near it as well}
+      \cgalParamType{`bool`}
+      \cgalParamDefault{`false`}
+      \cgalParamExtra{`true` is faster and less accurate: without noise mostly by a factor of some five, and by a third;
+                      with noise, which leaves less to be shared, both by a little.}
+    \cgalParamNEnd
     \scPointSetInputParameters
     \scCallbackParameter
   \cgalNamedParamsEnd
@@ -198,7 +219,7 @@ std::size_t adaptive_curvatures(PointRange&& points, const NamedParameters& np =
   internal::Adaptive_statistics<ConcurrencyTag, Point_set_samples> statistics(
       [&](const unsigned int rings)
       { return sampled_surface(points, Neighborhood::nearest(3 * rings * (rings + 1)), np); },
-      internal::adaptive_callback(np));
+      internal::adaptive_callback(np), internal::adaptive_fits_are_shared(np));
   const internal::Adaptive_estimates result =
       internal::Adaptive_estimator<ConcurrencyTag, Point_set_samples>(statistics, statistics.size())();
   if constexpr(!is_default_parameter<NamedParameters, internal_np::estimator_map_t>::value)

@@ -112,9 +112,12 @@ public:
   using Make_surface = std::function<SampledSurface(unsigned int)>;
 
   // all samples of the surface
-  Adaptive_statistics(const Make_surface& make_surface, const std::function<bool(double)>& callback)
+  Adaptive_statistics(const Make_surface& make_surface,
+                      const std::function<bool(double)>& callback,
+                      bool fits_are_shared)
     : m_make_surface(make_surface),
       m_callback(callback),
+      m_fits_are_shared(fits_are_shared),
       m_surface(make_surface(2)),
       m_size(m_surface.size())
   {
@@ -264,7 +267,7 @@ private:
     Fitted_field result = fit_hermite_rbf<ConcurrencyTag, Fitted_sample>(
         surface, m_size,
         [](std::size_t, const Local_implicit_surface& local) { return Fitted_sample(local); },
-        np.fits_are_shared(false).callback(callback));
+        np.fits_are_shared(m_fits_are_shared).callback(callback));
     m_progress = begin + length;
     return result;
   }
@@ -461,6 +464,7 @@ private:
 
   Make_surface m_make_surface;
   std::function<bool(double)> m_callback;
+  bool m_fits_are_shared;
   bool m_is_cancelled = false;
   double m_progress = 0.;
   SampledSurface m_surface;
