@@ -25,6 +25,8 @@ struct Options
   std::vector<std::string> tables;
   std::vector<std::uint64_t> seeds;
   Resolution resolution;
+  std::vector<std::string>
+      only;       ///< parts of names: of the estimators of curvatures, those with one of them (all if empty)
   bool costly;    ///< run the costly estimators, too, and not only those that an expected order names
   bool all_seeds; ///< for the costly estimators, too
 };
@@ -32,6 +34,13 @@ struct Options
 bool is_among(const std::vector<std::string>& names, const std::string& name)
 {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_wanted(const std::string& label, const Options& options)
+{
+  return options.only.empty() ||
+         std::any_of(options.only.begin(), options.only.end(),
+                     [&](const std::string& part) { return label.find(part) != std::string::npos; });
 }
 
 /// The order of the estimators that must hold whatever the seed: `better` has the smaller mean error.
@@ -77,7 +86,7 @@ bool check_orders(const Report& report, const Options& options)
   std::cout << "\n## Order of the estimators\n\nGeometric means over the surfaces of a table.\n\n"
             << "| table | better | mean | worse | mean | holds |\n|---|---|---:|---|---:|---|\n";
   for(const Expected_order& o : expected_orders())
-    if(is_among(options.tables, o.table))
+    if(is_among(options.tables, o.table) && is_wanted(o.better, options) && is_wanted(o.worse, options))
     {
       const double better = report.mean(o.table, o.better), worse = report.mean(o.table, o.worse);
       const bool holds = better < worse; // false for NaN as well
@@ -114,7 +123,7 @@ void run_estimators(const Table& table,
   std::vector<Row<Errors>> rows;
   for(const Estimator& e : estimators())
     for(const Appearance& a : e.appearances)
-      if(a.table == table.number() &&
+      if(a.table == table.number() && is_wanted(e.label(), options) &&
          (options.costly || e.cost == Cost::LOW || is_ordered(table.name, e.label())))
       {
         chosen.push_back(&e);
@@ -209,6 +218,7 @@ void run(const Table& table, const Options& options, std::map<std::string, Error
 const char* const help =
     "Errors of curvature estimators on surfaces with known curvature, next to the thesis's figures.\n\n"
     "  --tables 8.3,8.4,...  which tables (all; --list lists them)\n"
+    "  --only TEXT,...       which estimators of curvatures: those with one of these in their names (all)\n"
     "  --seeds 1,2,3         seeds of the random points (1,2,3); errors are pooled over them\n"
     "  --points N            points of an explicit surface (10000)\n"
     "  --grid N              samples per axis of marching cubes (128)\n"
@@ -226,9 +236,9 @@ const char* const help =
 
 int main(int argc, char** argv)
 {
-  const benchmark_support::Command_line arguments(argc, argv,
-                                                  {"tables", "seeds", "points", "grid", "csv", "plot"},
-                                                  {"quick", "no-costly", "all-seeds", "list", "help"});
+  const benchmark_support::Command_line arguments(
+      argc, argv, {"tables", "only", "seeds", "points", "grid", "csv", "plot"},
+      {"quick", "no-costly", "all-seeds", "list", "help"});
   if(arguments.has("help"))
   {
     std::cout << help;
@@ -247,6 +257,7 @@ int main(int argc, char** argv)
   for(const Table& t : tables())
     names += t.name + ",";
   options.tables = arguments.list("tables", quick ? "8.3,8.4,8.5,8.7,8.12,8.14" : names);
+  options.only = arguments.list("only", "");
   options.seeds = arguments.numbers("seeds", quick ? "1" : "1,2,3");
   options.resolution.points = arguments.number("points", quick ? 800 : 10000, 10);
   options.resolution.grid = arguments.number("grid", quick ? 24 : 128, 2);
