@@ -1,5 +1,6 @@
 #include "detection.h"
 
+#include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
 #include <Shape_characteristics/head_features/Head_feature_method.h>
@@ -66,7 +67,7 @@ std::string name(SC::Head_obstacle obstacle)
 
 std::vector<std::string> all_modes()
 {
-  return {"default", "aligned", "thesis", "thesis_hrbf", "thesis_normal_cycle"};
+  return {"default", "aligned", "thesis", "thesis_hrbf", "thesis_adaptive", "thesis_normal_cycle"};
 }
 
 Features detect(const Mesh& mesh, const std::string& mode)
@@ -81,6 +82,10 @@ Features detect(const Mesh& mesh, const std::string& mode)
     return SC::detect_head_features(mesh,
                                     thesis().curvature_estimator([](const Mesh& m, const auto& np)
                                                                  { return SC::hrbf_curvatures(m, np); }));
+  if(mode == "thesis_adaptive")
+    return SC::detect_head_features(mesh,
+                                    thesis().curvature_estimator([](const Mesh& m, const auto& np)
+                                                                 { return SC::adaptive_curvatures(m, np); }));
   if(mode == "thesis_normal_cycle")
     return SC::detect_head_features(
         mesh, thesis().curvature_estimator([](const Mesh& m, const auto& np)

@@ -14,7 +14,7 @@ namespace head_features {
   - `aligned`: the pose is given by the coordinates;
   - `thesis`: chapter 9 to the letter, with Rusinkiewicz's curvatures; the pose is given by the coordinates, and the numbers of
     vertices suit a head of 12000 vertices;
-  - `thesis_hrbf`, `thesis_normal_cycle`: the same with other curvatures.
+  - `thesis_hrbf`, `thesis_adaptive`, `thesis_normal_cycle`: the same with other curvatures.
 */
 std::vector<std::string> all_modes();
 
