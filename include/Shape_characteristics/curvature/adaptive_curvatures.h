@@ -80,8 +80,8 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
       \cgalParamDescription{whether a function that was fitted at a vertex may serve the vertices near it as well}
       \cgalParamType{`bool`}
       \cgalParamDefault{`false`}
-      \cgalParamExtra{`true` is faster and less accurate: without noise mostly by a factor of some five, and by a third;
-                      with noise, which leaves less to be shared, both by a little.}
+      \cgalParamExtra{`true` is faster and less accurate: on clean surfaces some six times as fast, with errors larger by a
+                      third to two thirds; over noise, which leaves less to be shared, not twice as fast.}
     \cgalParamNEnd
     \scMeshInputParameters
     \scCallbackParameter
@@ -193,8 +193,8 @@ Estimation_status adaptive_curvatures(typename internal::Vertex_descriptor<FaceG
       \cgalParamDescription{whether a function that was fitted at a point may serve the points near it as well}
       \cgalParamType{`bool`}
       \cgalParamDefault{`false`}
-      \cgalParamExtra{`true` is faster and less accurate: without noise mostly by a factor of some five, and by a third;
-                      with noise, which leaves less to be shared, both by a little.}
+      \cgalParamExtra{`true` is faster and less accurate: on clean surfaces some six times as fast, with errors larger by a
+                      third to two thirds; over noise, which leaves less to be shared, not twice as fast.}
     \cgalParamNEnd
     \scPointSetInputParameters
     \scCallbackParameter
