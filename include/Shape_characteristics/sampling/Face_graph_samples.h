@@ -76,6 +76,8 @@ public:
 
     \tparam FaceGraph a model of `FaceListGraph`
     \tparam VertexPointMap a model of `ReadablePropertyMap` from vertices to 3D points
+    \tparam ConcurrencyTag `CGAL::Sequential_tag` (default), `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag`: in
+            parallel, one thread reads the faces of the mesh while another one reads its vertices and their points
     \param mesh the mesh
     \param vpm its points
     \param neighborhood what the neighbors of a vertex are: `Neighborhood::rings()` or `Neighborhood::ball()`
@@ -103,7 +105,7 @@ public:
         is_in_order = is_in_order && std::size_t(get(index_map, v)) == i++;
       if(is_in_order)
       {
-        copy<ConcurrencyTag>(
+        copy_mesh<ConcurrencyTag>(
             mesh, vpm, [&](const auto v) { return Index(get(index_map, v)); }, connectivity);
         return;
       }
@@ -112,7 +114,7 @@ public:
     Index i = 0;
     for(const auto v : vertices(mesh))
       put(index_map, v, i++);
-    copy<ConcurrencyTag>(
+    copy_mesh<ConcurrencyTag>(
         mesh, vpm, [&](const auto v) { return get(index_map, v); }, connectivity);
   }
 
@@ -483,8 +485,10 @@ private:
 
   // points, statuses, faces, and what is wanted of the neighbors; `index` numbers the vertices
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap, typename VertexIndex>
-  void
-  copy(const FaceGraph& mesh, const VertexPointMap& vpm, const VertexIndex& index, Connectivity connectivity)
+  void copy_mesh(const FaceGraph& mesh,
+                 const VertexPointMap& vpm,
+                 const VertexIndex& index,
+                 Connectivity connectivity)
   {
     // Elements of meshes are read one after the other, but those of faces while those of vertices are.
     for_each_sample<ConcurrencyTag, Nothing>(
