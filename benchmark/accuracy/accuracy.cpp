@@ -25,8 +25,7 @@ struct Options
   std::vector<std::string> tables;
   std::vector<std::uint64_t> seeds;
   Resolution resolution;
-  std::vector<std::string>
-      only;       ///< parts of names: of the estimators of curvatures, those with one of them (all if empty)
+  std::vector<std::string> only; ///< estimators of curvatures: parts of their names (all if empty)
   bool costly;    ///< run the costly estimators, too, and not only those that an expected order names
   bool all_seeds; ///< for the costly estimators, too
 };

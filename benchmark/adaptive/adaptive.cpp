@@ -62,14 +62,16 @@ public:
               << " | " << number(best.second) << " | " << best.first << " | " << number(ratio) << " | "
               << number(row.adaptive_seconds) << " |";
     if(m_shared)
+    {
       std::cout << " " << number(row.shared_error) << " | " << number(row.shared_seconds) << " |";
+      m_sum_of_shared_errors += std::log(row.shared_error / row.adaptive_error);
+      m_sum_of_shared_times += std::log(row.shared_seconds / row.adaptive_seconds);
+    }
     std::cout << "\n";
     std::cout.flush();
     ++m_rows;
     m_missed += ratio > 1.1;
     m_sum += std::log(row.adaptive_error);
-    m_sum_of_shared_errors += std::log(row.shared_error / row.adaptive_error);
-    m_sum_of_shared_times += std::log(row.shared_seconds / row.adaptive_seconds);
     m_ratios.push_back(ratio);
     for(const auto& [name, error] : singles)
       m_sums[name] += std::log(error);

@@ -28,7 +28,7 @@ struct Estimates
 Estimates make_estimates(Mesh& mesh);
 
 /// `adaptive_curvatures()`
-Estimates estimate_adaptively(Mesh& mesh, Normal_map normals, bool fits_are_shared = false);
+Estimates estimate_adaptively(Mesh& mesh, Normal_map normals, bool fits_are_shared);
 
 /// An estimator to compare with.
 struct Other_estimator

@@ -176,9 +176,9 @@ private:
     {
       const Normal_weighting weighting =
           choose_parameter(get_parameter(m_np, internal_np::normal_weighting), Normal_weighting::MAX);
-      for_each_sample<ConcurrencyTag, Nothing>(
+      for_each_sample<ConcurrencyTag, No_workspace>(
           near.size(),
-          [&](const std::size_t k, Nothing&)
+          [&](const std::size_t k, No_workspace&)
           { normals[k] = internal::vertex_normal(m_samples, near[k], weighting); },
           {}, s_block);
       m_samples.set_normals(near, std::move(normals), Estimation_status::DEGENERATE);
@@ -247,8 +247,6 @@ private:
     return m_failures;
   }
 
-  struct Nothing
-  {};
   static constexpr std::size_t s_block = 1024; // of vertices that one thread takes
 
   const FaceGraph& m_mesh;

@@ -47,14 +47,13 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag>
 std::vector<Eigen::Vector3d> vertex_normals(const Face_graph_samples& samples,
                                             Normal_weighting weighting = Normal_weighting::MAX)
 {
-  struct Nothing
-  {};
   constexpr std::size_t block_size = 1024;
   std::vector<Eigen::Vector3d> normals(samples.size(), Eigen::Vector3d::Zero());
-  for_each_sample<ConcurrencyTag, Nothing>(
+  for_each_sample<ConcurrencyTag, No_workspace>(
       samples.size(),
-      [&](const std::size_t i, Nothing&) { normals[i] = internal::vertex_normal(samples, i, weighting); }, {},
-      block_size);
+      [&](const std::size_t i, No_workspace&)
+      { normals[i] = internal::vertex_normal(samples, i, weighting); },
+      {}, block_size);
   return normals;
 }
 

@@ -56,11 +56,9 @@ public:
   template <typename ConcurrencyTag>
   void find(const Eigen::Isometry3d& motion, double limit)
   {
-    struct Nothing
-    {};
-    for_each_sample<ConcurrencyTag, Nothing>(
+    for_each_sample<ConcurrencyTag, No_workspace>(
         m_points.size(),
-        [&](const std::size_t i, Nothing&)
+        [&](const std::size_t i, No_workspace&)
         {
           Term& term = m_terms[i];
           term = Term{motion * m_points[i], Eigen::Vector3d::Zero(), 0., 0.};

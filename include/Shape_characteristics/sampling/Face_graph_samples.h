@@ -209,8 +209,7 @@ public:
           add_face(mesh, face(h, mesh), index);
       }
     }
-    for(std::size_t f = 0; f < number_of_faces(); ++f)
-      begin_with_smallest(f);
+    reorder_all_faces<CGAL::Sequential_tag>();
     find_incidence<CGAL::Sequential_tag>(true);
     find_adjacency<CGAL::Sequential_tag>();
   }
@@ -438,8 +437,15 @@ public:
   {
     for(std::size_t k = 0; k < vertices.size(); ++k)
       m_points[vertices[k]] = points[k];
-    const std::vector<Index> near =
-        vertices.size() == size() ? reorder_all_faces<ConcurrencyTag>() : reorder_faces_at(vertices);
+    std::vector<Index> near;
+    if(vertices.size() == size())
+    {
+      reorder_all_faces<ConcurrencyTag>();
+      near.resize(size());
+      std::iota(near.begin(), near.end(), Index(0));
+    }
+    else
+      near = reorder_faces_at(vertices);
     for_each_sample<ConcurrencyTag, std::vector<Corner> >(
         near.size(),
         [&](const std::size_t k, std::vector<Corner>& corners)
@@ -480,9 +486,6 @@ private:
     m_points.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
   }
 
-  struct Nothing
-  {};
-
   // points, statuses, faces, and what is wanted of the neighbors; `index` numbers the vertices
   template <typename ConcurrencyTag, typename FaceGraph, typename VertexPointMap, typename VertexIndex>
   void copy_mesh(const FaceGraph& mesh,
@@ -491,9 +494,9 @@ private:
                  Connectivity connectivity)
   {
     // Elements of meshes are read one after the other, but those of faces while those of vertices are.
-    for_each_sample<ConcurrencyTag, Nothing>(
+    for_each_sample<ConcurrencyTag, No_workspace>(
         2,
-        [&](const std::size_t task, Nothing&)
+        [&](const std::size_t task, No_workspace&)
         {
           if(task == 0)
             copy_vertices(mesh, vpm, index);
@@ -503,8 +506,7 @@ private:
         {}, 1);
     const bool faces_are_seen = connectivity != Connectivity::NEIGHBORS;
     if(faces_are_seen)
-      for_each_sample<ConcurrencyTag, Nothing>(
-          number_of_faces(), [&](const std::size_t f, Nothing&) { begin_with_smallest(f); }, {}, s_block);
+      reorder_all_faces<ConcurrencyTag>();
     find_incidence<ConcurrencyTag>(faces_are_seen);
     if(connectivity != Connectivity::FACES)
       find_adjacency<ConcurrencyTag>();
@@ -590,17 +592,14 @@ private:
                 last);
   }
 
-  // after points were moved; both return the vertices of the faces, and the vertices themselves
   template <typename ConcurrencyTag>
-  std::vector<Index> reorder_all_faces()
+  void reorder_all_faces()
   {
-    for_each_sample<ConcurrencyTag, Index>(
-        number_of_faces(), [&](const std::size_t f, Index&) { begin_with_smallest(f); }, {}, s_block);
-    std::vector<Index> all(size());
-    std::iota(all.begin(), all.end(), Index(0));
-    return all;
+    for_each_sample<ConcurrencyTag, No_workspace>(
+        number_of_faces(), [&](const std::size_t f, No_workspace&) { begin_with_smallest(f); }, {}, s_block);
   }
 
+  // returns the vertices of the faces at some vertices, and these vertices themselves, in ascending order
   std::vector<Index> reorder_faces_at(const std::vector<Index>& vertices)
   {
     std::vector<bool> is_near(size(), false), is_visited(number_of_faces(), false);
@@ -723,9 +722,9 @@ private:
     const std::size_t number_of_blocks = (size() + s_block - 1) / s_block;
     std::vector<std::vector<Index> > blocks(number_of_blocks);
     m_adjacency_begin.assign(size() + 1, 0);
-    for_each_sample<ConcurrencyTag, Nothing>(
+    for_each_sample<ConcurrencyTag, No_workspace>(
         number_of_blocks,
-        [&](const std::size_t b, Nothing&)
+        [&](const std::size_t b, No_workspace&)
         {
           const std::size_t first = b * s_block, last = (std::min)(first + s_block, size());
           const std::size_t corners = m_incidence_begin[last] - m_incidence_begin[first];
@@ -746,9 +745,9 @@ private:
       begin = Index(total);
     }
     m_adjacency.resize(total);
-    for_each_sample<ConcurrencyTag, Nothing>(
+    for_each_sample<ConcurrencyTag, No_workspace>(
         number_of_blocks,
-        [&](const std::size_t b, Nothing&)
+        [&](const std::size_t b, No_workspace&)
         {
           std::copy(blocks[b].begin(), blocks[b].end(),
                     m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[b * s_block]));

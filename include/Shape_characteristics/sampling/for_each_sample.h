@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_SAMPLING_FOR_EACH_SAMPLE_H
 #define SHAPE_CHARACTERISTICS_SAMPLING_FOR_EACH_SAMPLE_H
 
+#include <Shape_characteristics/sampling/No_workspace.h>
+
 #include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
@@ -91,7 +93,7 @@ bool for_each_sample_between(Workspace_pool<Workspace>& pool,
   to sample `i` alone; then the result doesn't depend on the number of threads.
 
   \tparam ConcurrencyTag `CGAL::Sequential_tag`, `CGAL::Parallel_tag`, or `CGAL::Parallel_if_available_tag`
-  \tparam Workspace a default constructible type: scratch memory reused from call to call
+  \tparam Workspace a default constructible type: scratch memory reused from call to call, or `No_workspace`
   \tparam Function a function object with `void operator()(std::size_t, Workspace&) const`
 
   \param size the number of samples

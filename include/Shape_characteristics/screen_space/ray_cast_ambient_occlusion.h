@@ -106,11 +106,9 @@ std::size_t ray_cast_ambient_occlusion(const FaceGraph& mesh,
   const Eigen::Matrix3d to_world = g_buffer.camera().view().template topLeftCorner<3, 3>().transpose();
   const std::size_t size = g_buffer.size();
   std::vector<float> light(size, std::numeric_limits<float>::quiet_NaN());
-  struct Nothing
-  {};
-  for_each_sample<ConcurrencyTag, Nothing>(
+  for_each_sample<ConcurrencyTag, No_workspace>(
       size,
-      [&](const std::size_t i, Nothing&)
+      [&](const std::size_t i, No_workspace&)
       {
         if(!g_buffer.is_valid(i))
           return;

@@ -205,9 +205,6 @@ private:
   static constexpr double trusted_normal_noise = 1e-3, least_noise_level = 1e-6;
   static constexpr unsigned int smoothing_passes = 3;
 
-  struct Nothing
-  {};
-
   void collect_neighbors()
   {
     m_neighbors.resize(m_size);
@@ -338,25 +335,25 @@ private:
   std::vector<float> pooled(const std::vector<double>& values) const
   {
     std::vector<float> result(m_size, logarithm(std::numeric_limits<double>::infinity()));
-    for_each_sample<ConcurrencyTag, Nothing>(m_size,
-                                             [&](const std::size_t i, Nothing&)
-                                             {
-                                               double sum = 0.;
-                                               std::size_t number = 0;
-                                               const auto add = [&](const std::size_t j)
-                                               {
-                                                 if(j < m_size && std::isfinite(values[j]))
-                                                 {
-                                                   sum += values[j];
-                                                   ++number;
-                                                 }
-                                               };
-                                               add(i);
-                                               for(const Index j : m_neighbors[i])
-                                                 add(j);
-                                               if(number > 0)
-                                                 result[i] = logarithm(std::abs(sum) / double(number));
-                                             });
+    for_each_sample<ConcurrencyTag, No_workspace>(m_size,
+                                                  [&](const std::size_t i, No_workspace&)
+                                                  {
+                                                    double sum = 0.;
+                                                    std::size_t number = 0;
+                                                    const auto add = [&](const std::size_t j)
+                                                    {
+                                                      if(j < m_size && std::isfinite(values[j]))
+                                                      {
+                                                        sum += values[j];
+                                                        ++number;
+                                                      }
+                                                    };
+                                                    add(i);
+                                                    for(const Index j : m_neighbors[i])
+                                                      add(j);
+                                                    if(number > 0)
+                                                      result[i] = logarithm(std::abs(sum) / double(number));
+                                                  });
     return result;
   }
 
@@ -364,12 +361,12 @@ private:
   std::vector<double> of_each(const Function& function) const
   {
     std::vector<double> result(m_size, std::numeric_limits<double>::quiet_NaN());
-    for_each_sample<ConcurrencyTag, Nothing>(m_size,
-                                             [&](const std::size_t i, Nothing&)
-                                             {
-                                               if(m_sizes[i] > 0.)
-                                                 result[i] = function(i);
-                                             });
+    for_each_sample<ConcurrencyTag, No_workspace>(m_size,
+                                                  [&](const std::size_t i, No_workspace&)
+                                                  {
+                                                    if(m_sizes[i] > 0.)
+                                                      result[i] = function(i);
+                                                  });
     return result;
   }
 

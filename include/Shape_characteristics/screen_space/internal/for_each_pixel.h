@@ -68,8 +68,6 @@ std::size_t write_pixels(const NamedParameters& np,
 template <typename ConcurrencyTag, typename GBuffer, typename Estimator, typename NamedParameters>
 std::size_t for_each_pixel(const GBuffer& g_buffer, const Estimator& estimator, const NamedParameters& np)
 {
-  struct Nothing
-  {};
   const std::size_t width = std::size_t(g_buffer.width()), size = width * std::size_t(g_buffer.height());
   const std::size_t band = (std::min)(size, (std::max)(width, std::size_t(1) << 17));
   std::vector<Screen_space_curvature> results(band);
@@ -77,9 +75,9 @@ std::size_t for_each_pixel(const GBuffer& g_buffer, const Estimator& estimator, 
   for(std::size_t first = 0; first < size; first += band)
   {
     const std::size_t count = (std::min)(band, size - first);
-    for_each_sample<ConcurrencyTag, Nothing>(
+    for_each_sample<ConcurrencyTag, No_workspace>(
         count,
-        [&](std::size_t i, Nothing&)
+        [&](std::size_t i, No_workspace&)
         { results[i] = estimator(int((first + i) % width), int((first + i) / width)); },
         std::function<bool(double)>(), 1024);
     failures += write_pixels(np, results, first, count);
