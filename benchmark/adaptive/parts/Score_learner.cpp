@@ -125,7 +125,7 @@ public:
 
   Scores learn(std::size_t left_out) const
   {
-    constexpr int steps = 2000;
+    constexpr int steps = 800;
     constexpr double decay = .995, shrinkage = 5e-6;
     Matrix weights = Matrix::Zero(features, candidates), mean = weights, square = weights;
     std::size_t number = 0;
