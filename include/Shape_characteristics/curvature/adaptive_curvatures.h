@@ -63,7 +63,7 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   a part in the average. Those with less than a fiftieth of the largest weight have none.
 
   Level sets that marching cubes take from a coarse grid are its weak point: they are off in the same direction for some vertices,
-  which no neighborhood can tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a
+  which four rings hardly tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a
   `noise_level` of some thousandths.
 
   \scConcurrencyTag
