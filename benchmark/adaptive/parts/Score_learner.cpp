@@ -125,7 +125,7 @@ public:
 
   Scores learn(std::size_t left_out) const
   {
-    constexpr int steps = 800;
+    constexpr int steps = 2000;
     constexpr double decay = .995, shrinkage = 5e-6;
     Matrix weights = Matrix::Zero(features, candidates), mean = weights, square = weights;
     std::size_t number = 0;
@@ -269,8 +269,8 @@ Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
   for(std::size_t c = 0; c < number_of_candidates; ++c)
     if(std::isfinite(vertex.errors[c].k_max))
     {
-      const double share = std::exp(least - score[c]);
-      if(share < Shape_characteristics::internal::least_adaptive_share)
+      const double share = Shape_characteristics::internal::adaptive_share(score[c] - least);
+      if(share == 0.) // its error may be anything
         continue;
       sum += share;
       k_max += share * double(vertex.errors[c].k_max);

@@ -204,6 +204,32 @@ std::vector<Surface> calibration(double scale)
                   [waves, a, b](const Number& x, const Number& y, const Number& z)
                   { return sqrt(a * x * x + b * y * y + z * z) - 1.05 + waves(x, y, z); });
   }
+  // such as bend little from sample to sample
+  for(int k = 0; k < 8; ++k)
+  {
+    const double shortest = std::pow(8., k / 7.);
+    const Random_waves waves(random, shortest, .2 + .1 * (k % 4));
+    Vector direction;
+    for(std::size_t i = 0; i < 3; ++i)
+      direction[i] = random.gaussian();
+    const Vector d = normalized(direction);
+    add_level_set(list, "plain " + std::to_string(k), 1., m,
+                  [waves, d](const Number& x, const Number& y, const Number& z)
+                  { return d.x * x + d.y * y + d.z * z + waves(x, y, z); });
+  }
+  // and rounded boxes: on their sides, what marching cubes interpolate wrongly varies slowly
+  for(int k = 0; k < 6; ++k)
+  {
+    const double a = random.uniform(.7, 1.6), b = random.uniform(.7, 1.6), c = random.uniform(.7, 1.6),
+                 twist = random.uniform(-.2, .2);
+    add_level_set(list, "box " + std::to_string(k), 1.6, m,
+                  [=](const Number& x, const Number& y, const Number& z)
+                  {
+                    const Number xx = square(x + twist * z), yy = square(y - twist * x), zz = square(z);
+                    return k % 2 == 0 ? a * xx * xx + b * yy * yy + c * zz * zz - 1.
+                                      : a * xx * xx + b * yy * yy * yy + c * zz - 1.;
+                  });
+  }
   return list;
 }
 
@@ -239,6 +265,13 @@ std::vector<Surface> validation(double scale)
                   const Number f = x * x + y * y - .25, g = x * x + z * z - .25;
                   return f * g - .15;
                 });
+  // these two bend little from sample to sample
+  add_level_set(list, "vault", 1., m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return square(.8 * y + .6 * z) + square(x - 1.6) * .3 + .1 * x * y - .9; });
+  add_level_set(list, "pass", 1., m,
+                [](const Number& x, const Number& y, const Number& z)
+                { return .9 * z + .3 * x - .2 * y + .25 * x * x - .3 * y * y + .1 * x * y * z; });
   return list;
 }
 

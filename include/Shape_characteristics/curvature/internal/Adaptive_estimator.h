@@ -9,7 +9,6 @@
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -30,6 +29,8 @@ class Adaptive_estimator
 {
   using Statistics = Adaptive_statistics<ConcurrencyTag, SampledSurface>;
   using Choice = Adaptive_estimator_choice;
+  using Fields = std::array<const Fitted_field*, number_of_adaptive_candidates>;
+  using Scores = std::array<double, number_of_adaptive_candidates>;
 
 public:
   // `size`: of how many samples the estimates are wanted
@@ -84,40 +85,44 @@ private:
     std::array<const std::vector<float>*, adaptive_score_statistics.size()> statistics;
     for(std::size_t k = 0; k < statistics.size(); ++k)
       statistics[k] = &m_statistics.statistic(adaptive_score_statistics[k]);
-    std::array<const Fitted_field*, number_of_adaptive_candidates> fields;
+    Fields fields;
     for(std::size_t c = 0; c < fields.size(); ++c)
       fields[c] = &m_statistics.field(Choice(c));
     if(m_statistics.is_cancelled())
       return;
     for(const std::size_t i : samples)
     {
-      std::array<double, number_of_adaptive_candidates> scores = adaptive_score_weights[0];
+      Scores scores = adaptive_score_weights[0];
       for(std::size_t k = 0; k < statistics.size(); ++k)
         for(std::size_t c = 0; c < scores.size(); ++c)
           scores[c] += adaptive_score_weights[k + 1][c] * double((*statistics[k])[i]);
-      std::size_t best = 0;
-      for(std::size_t c = 0; c < scores.size(); ++c)
-      {
-        if(!is_estimated((*fields[c])[i].status))
-          scores[c] = std::numeric_limits<double>::infinity();
-        if(scores[c] < scores[best])
-          best = c;
-      }
-      Fitted_sample mean = (*fields[best])[i];
-      if(is_estimated(mean.status))
-      {
-        double sum = 1.;
-        for(std::size_t c = 0; c < scores.size(); ++c)
-          if(const double share = std::exp(scores[best] - scores[c]);
-             c != best && share >= least_adaptive_share)
-          {
-            mean.add((*fields[c])[i], share);
-            sum += share;
-          }
-        mean.divide(sum);
-      }
-      take(mean, is_estimated(mean.status) ? Choice(best) : Choice::NONE, i, result);
+      blend(fields, scores, i, result);
     }
+  }
+
+  static void blend(const Fields& fields, Scores& scores, std::size_t i, Adaptive_estimates& result)
+  {
+    std::size_t best = 0;
+    for(std::size_t c = 0; c < scores.size(); ++c)
+    {
+      if(!is_estimated((*fields[c])[i].status))
+        scores[c] = std::numeric_limits<double>::infinity();
+      if(scores[c] < scores[best])
+        best = c;
+    }
+    Fitted_sample mean = (*fields[best])[i];
+    if(is_estimated(mean.status))
+    {
+      double sum = 1.;
+      for(std::size_t c = 0; c < scores.size(); ++c)
+        if(const double share = adaptive_share(scores[c] - scores[best]); c != best && share > 0.)
+        {
+          mean.add((*fields[c])[i], share);
+          sum += share;
+        }
+      mean.divide(sum);
+    }
+    take(mean, is_estimated(mean.status) ? Choice(best) : Choice::NONE, i, result);
   }
 
   static void take(const Fitted_sample& fit, Choice choice, std::size_t i, Adaptive_estimates& result)

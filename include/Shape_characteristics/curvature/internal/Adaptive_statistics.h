@@ -27,12 +27,19 @@ namespace internal {
 
 inline constexpr std::size_t number_of_adaptive_candidates = std::size_t(Adaptive_estimator_choice::NONE);
 
-// of the largest share: estimators with less have no part in a blend
-inline constexpr double least_adaptive_share = .02;
+// The share of an estimator in a blend, as a multiple of the best one's; `distance`: of the scores of both. A small one is
+// none, and it becomes so continuously: scores hang on rounding, too.
+inline double adaptive_share(double distance)
+{
+  constexpr double least = .02;
+  return (std::max)((std::exp(-distance) - least) / (1. - least), 0.);
+}
 
 /*
   What there is to be known of a sample and its surroundings, without units: lengths are in units of the size h of the
   nearest neighbors, curvatures in those of 1 / h. All but the last ones are decimal logarithms of means over the neighbors.
+  What is less than the least noise level counts as that: rounding decides it, where points are far from the origin. Angles
+  alone, which tell whether normals are exact, are taken as they are.
 
   A surface with normals and shape operators that are those of its points satisfies along each short edge d, up to the fifth
   power of its length,
@@ -202,7 +209,7 @@ public:
 
 private:
   static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
-  static constexpr double trusted_normal_noise = 1e-3, least_noise_level = 1e-6;
+  static constexpr double trusted_normal_noise = 1e-3, least_noise_level = 1e-6, least_angle = 1e-12;
   static constexpr unsigned int smoothing_passes = 3;
 
   void collect_neighbors()
@@ -325,14 +332,14 @@ private:
     }
   }
 
-  static float logarithm(double x)
+  static float logarithm(double x, double least = least_noise_level)
   {
-    constexpr double least = 1e-12, largest = 1e3;
+    constexpr double largest = 1e3;
     return float(std::log10((std::min)((std::max)(x, least), largest)));
   }
 
   // the logarithm of the mean over each sample and its neighbors of what is known there, whatever its sign
-  std::vector<float> pooled(const std::vector<double>& values) const
+  std::vector<float> pooled(const std::vector<double>& values, double least = least_noise_level) const
   {
     std::vector<float> result(m_size, logarithm(std::numeric_limits<double>::infinity()));
     for_each_sample<ConcurrencyTag, No_workspace>(m_size,
@@ -352,7 +359,8 @@ private:
                                                     for(const Index j : m_neighbors[i])
                                                       add(j);
                                                     if(number > 0)
-                                                      result[i] = logarithm(std::abs(sum) / double(number));
+                                                      result[i] =
+                                                          logarithm(std::abs(sum) / double(number), least);
                                                   });
     return result;
   }
@@ -372,10 +380,10 @@ private:
 
   // root mean square over the edges at each sample of what `function` makes of two fits and the edge
   template <typename Function>
-  std::vector<float> over_edges(Choice choice, const Function& function)
+  std::vector<double> over_edges(Choice choice, const Function& function)
   {
     const Fitted_field& fits = field(choice);
-    return pooled(of_each(
+    return of_each(
         [&](const std::size_t i)
         {
           double sum = 0.;
@@ -394,21 +402,25 @@ private:
             ++number;
           }
           return std::sqrt(sum / double(number));
-        }));
+        });
   }
 
   std::vector<float> angles(Choice choice)
   {
-    return over_edges(
-        choice, [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d)
-        { return .5 * (p.normal + q.normal).dot(d) + (d.dot(p.turn(d)) - d.dot(q.turn(d))) / 12.; });
+    return pooled(over_edges(choice,
+                             [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d) {
+                               return .5 * (p.normal + q.normal).dot(d) +
+                                      (d.dot(p.turn(d)) - d.dot(q.turn(d))) / 12.;
+                             }),
+                  least_angle);
   }
 
   // times h / h: without units as it is
   std::vector<float> turns(Choice choice)
   {
-    return over_edges(choice, [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d)
-                      { return (q.normal - p.normal - .5 * (p.turn(d) + q.turn(d))).norm() * d.norm(); });
+    return pooled(
+        over_edges(choice, [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d)
+                   { return (q.normal - p.normal - .5 * (p.turn(d) + q.turn(d))).norm() * d.norm(); }));
   }
 
   std::vector<float> differences(Choice a, Choice b)
