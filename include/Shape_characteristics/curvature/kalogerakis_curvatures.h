@@ -58,7 +58,7 @@ namespace Shape_characteristics {
       \cgalParamDescription{how often normals are estimated anew}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
-      \cgalParamExtra{One pass is more accurate where the input is clean; more passes smooth more.}
+      \cgalParamExtra{One pass is more accurate where the input is clean, and none still more; more passes smooth more.}
     \cgalParamNEnd
     \scCallbackParameter
   \cgalNamedParamsEnd
@@ -83,7 +83,7 @@ std::size_t kalogerakis_curvatures(const FaceGraph& mesh,
 {
   Face_graph_samples surface = sampled_surface<ConcurrencyTag>(mesh, internal::mesh_neighborhood(np), np);
   const internal::Kalogerakis_estimator<Face_graph_samples> estimator(
-      surface, internal::passes_of_kalogerakis(np), ConcurrencyTag());
+      surface, internal::passes_of_kalogerakis(np, 0), ConcurrencyTag());
   return internal::estimate_vertices<ConcurrencyTag>(mesh, surface, estimator, np);
 }
 
@@ -116,7 +116,7 @@ Estimation_status kalogerakis_curvatures(typename internal::Vertex_descriptor<Fa
                                          const NamedParameters& np = parameters::default_values())
 {
   using Estimator = internal::Kalogerakis_estimator<Face_graph_samples>;
-  const unsigned int passes = internal::passes_of_kalogerakis(np);
+  const unsigned int passes = internal::passes_of_kalogerakis(np, 0);
   Face_graph_samples surface = sampled_surface(v, mesh, internal::mesh_neighborhood(np), passes + 1, np);
   const Estimator estimator(surface, passes);
   typename Estimator::Workspace workspace;
@@ -149,7 +149,7 @@ Estimation_status kalogerakis_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDescription{how often normals are estimated anew}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
-      \cgalParamExtra{One pass is more accurate where the input is clean; more passes smooth more.}
+      \cgalParamExtra{One pass is more accurate where the input is clean, and none still more; more passes smooth more.}
     \cgalParamNEnd
     \scCallbackParameter
   \cgalNamedParamsEnd
@@ -170,7 +170,7 @@ std::size_t kalogerakis_curvatures(PointRange&& points,
 {
   Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np), np);
   const internal::Kalogerakis_estimator<Point_set_samples> estimator(
-      surface, internal::passes_of_kalogerakis(np), ConcurrencyTag());
+      surface, internal::passes_of_kalogerakis(np, 0), ConcurrencyTag());
   return internal::estimate_points<ConcurrencyTag>(points, surface.size(), estimator, np);
 }
 

@@ -22,8 +22,8 @@ std::vector<Normal_estimate> kalogerakis_normal_estimates(SampledSurface& surfac
 {
   const std::function<bool(double)> callback = parameters::choose_parameter(
       parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
-  const Kalogerakis_estimator<SampledSurface> estimator(surface, passes_of_kalogerakis(np), ConcurrencyTag(),
-                                                        callback);
+  const Kalogerakis_estimator<SampledSurface> estimator(surface, passes_of_kalogerakis(np, 1),
+                                                        ConcurrencyTag(), callback);
   std::vector<Normal_estimate> estimates(surface.size());
   for(std::size_t i = 0; i < surface.size(); ++i)
     estimates[i] = estimator.normal(i);
@@ -57,7 +57,7 @@ std::vector<Normal_estimate> kalogerakis_normal_estimates(SampledSurface& surfac
 
   \return the number of vertices without an estimate; quiet NaN is written for them.
 
-  \throws std::invalid_argument as `kalogerakis_curvatures()`
+  \throws std::invalid_argument as `kalogerakis_curvatures()`, and if `number_of_passes` is 0
 
   Complexity: \f$ O(n m^2) \f$ for \f$ n \f$ vertices with neighborhoods of \f$ m \f$.
 
@@ -102,7 +102,7 @@ Estimation_status kalogerakis_normals(typename internal::Vertex_descriptor<FaceG
                                       const NamedParameters& np = parameters::default_values())
 {
   using Estimator = internal::Kalogerakis_estimator<Face_graph_samples>;
-  const unsigned int passes = internal::passes_of_kalogerakis(np);
+  const unsigned int passes = internal::passes_of_kalogerakis(np, 1);
   Face_graph_samples surface = sampled_surface(v, mesh, internal::mesh_neighborhood(np), passes + 1, np);
   const internal::Normal_estimate estimate = Estimator(surface, passes).normal(0);
   normal = internal::to_vector<Vector_3>(estimate.normal);

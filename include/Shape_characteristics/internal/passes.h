@@ -4,15 +4,17 @@
 #include <cstddef>
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 namespace Shape_characteristics {
 namespace internal {
 
 // throws if the named parameter has a value without meaning
-inline void check_number_of_passes(long long passes)
+inline void check_number_of_passes(long long passes, long long fewest = 1)
 {
-  if(passes < 1 || passes > 1000)
-    throw std::invalid_argument("Shape_characteristics: number_of_passes must be between 1 and 1000");
+  if(passes < fewest || passes > 1000)
+    throw std::invalid_argument("Shape_characteristics: number_of_passes must be between " +
+                                std::to_string(fewest) + " and 1000");
 }
 
 // Progress of several passes as progress of one.

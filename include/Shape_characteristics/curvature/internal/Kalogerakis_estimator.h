@@ -56,11 +56,11 @@ private:
 
 // how often normals are to be estimated anew
 template <typename NamedParameters>
-unsigned int passes_of_kalogerakis(const NamedParameters& np)
+unsigned int passes_of_kalogerakis(const NamedParameters& np, long long fewest)
 {
   const auto passes = static_cast<long long>(
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_passes), 2));
-  check_number_of_passes(passes);
+  check_number_of_passes(passes, fewest);
   return static_cast<unsigned int>(passes);
 }
 
