@@ -167,26 +167,42 @@ void run_normal_estimators(const Table& table, const Options& options, Report& r
   report.add(table, rows);
 }
 
-/// What one estimator of curvatures makes of the normals of all estimators of normals, and of the exact ones.
-void run_with_normals(const Table& table, const Estimator& estimator, const Options& options, Report& report)
+/// What estimators of curvatures make of the normals of all estimators of normals, and of the exact ones.
+void run_with_normals(const Table& table,
+                      const std::vector<const Estimator*>& estimators,
+                      const Options& options,
+                      Report& report)
 {
-  const std::size_t count = table.surfaces.size();
-  std::vector<Row<Errors>> rows = {{"exact", "none", "exact", std::vector<Errors>(count)}};
+  std::vector<Row<Errors>> rows;
+  const auto add_rows =
+      [&](const std::string& name, const std::string& neighbourhood, const std::string& column)
+  {
+    for(const Estimator* e : estimators)
+      rows.push_back({name, neighbourhood + "; " + e->neighbourhood, column,
+                      std::vector<Errors>(table.surfaces.size())});
+  };
+  add_rows("exact", "none", "exact");
   for(const Normal_estimator& e : normal_estimators())
-    rows.push_back({e.name, e.neighbourhood, e.column, std::vector<Errors>(count)});
-  for_each_sample(
-      table, options,
-      [&](Sample& sample, std::size_t i, std::uint64_t, bool is_first)
-      {
-        rows[0].errors[i].add(measure(estimator, sample, make_normals(sample, Normals::EXACT), true));
-        for(std::size_t r = 1; r < rows.size(); ++r)
-        {
-          const Normal_estimator& of_normals = normal_estimators()[r - 1];
-          Normal_errors unused;
-          if(is_first || options.all_seeds || of_normals.cost == Cost::LOW)
-            rows[r].errors[i].add(measure(estimator, sample, measure(of_normals, sample, unused), false));
-        }
-      });
+    add_rows(e.name, e.neighbourhood, e.column);
+  for_each_sample(table, options,
+                  [&](Sample& sample, std::size_t i, std::uint64_t, bool is_first)
+                  {
+                    std::size_t r = 0;
+                    const auto measure_all = [&](const Normal_map& normals, bool are_exact)
+                    {
+                      for(const Estimator* e : estimators)
+                        rows[r++].errors[i].add(measure(*e, sample, normals, are_exact));
+                    };
+                    measure_all(make_normals(sample, Normals::EXACT), true);
+                    for(const Normal_estimator& e : normal_estimators())
+                    {
+                      Normal_errors unused;
+                      if(is_first || options.all_seeds || e.cost == Cost::LOW)
+                        measure_all(measure(e, sample, unused), false);
+                      else
+                        r += estimators.size();
+                    }
+                  });
   report.add(table, rows);
 }
 
@@ -208,9 +224,11 @@ void run(const Table& table, const Options& options, std::map<std::string, Error
   case Quantity::NORMALS:
     return run_normal_estimators(table, options, report);
   case Quantity::RUSINKIEWICZ:
-    return run_with_normals(table, estimator("Rusinkiewicz, 1 ring"), options, report);
+    return run_with_normals(table, {&estimator("Rusinkiewicz, 1 ring")}, options, report);
   case Quantity::GOLDFEATHER_INTERRANTE:
-    return run_with_normals(table, estimator("Goldfeather-Interrante, 1 ring"), options, report);
+    return run_with_normals(
+        table, {&estimator("Goldfeather-Interrante, 1 ring"), &estimator("Goldfeather-Interrante, 2 rings")},
+        options, report);
   }
 }
 
