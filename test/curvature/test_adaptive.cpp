@@ -5,6 +5,8 @@
 
 #include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/internal/Adaptive_estimator.h>
+#include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
 
 #include <CGAL/property_map.h>
@@ -159,6 +161,30 @@ double hrbf_with_trusted_normals(const Data& data, double noise)
       .error;
 }
 
+// the mean error if nothing was blended
+double largest_weight(const Data& data)
+{
+  using Samples = SC::Face_graph_samples;
+  SC::internal::Adaptive_statistics<CGAL::Sequential_tag, Samples> statistics(
+      [&](const unsigned int rings)
+      {
+        return SC::sampled_surface(data.mesh, SC::Neighborhood::rings(rings),
+                                   SC::parameters::vertex_normal_map(data.normals));
+      },
+      {}, false);
+  const std::vector<Choice> choices =
+      SC::internal::Adaptive_estimator<CGAL::Sequential_tag, Samples>(statistics, statistics.size())()
+          .choices;
+  double sum = 0.;
+  for(std::size_t i = 0; i < choices.size(); ++i)
+  {
+    const auto alone = statistics.field(choices[i])[i].estimate().curvatures;
+    const Exact_vertex& e = data.surface.exact[i];
+    sum += std::abs(alone.max_curvature - e.k_max) + std::abs(alone.min_curvature - e.k_min);
+  }
+  return sum / double(choices.size());
+}
+
 const std::vector<Analytic_surface>& surfaces()
 {
   static const std::vector<Analytic_surface> list = {test_support::torus(1., .4, 36, 18, .2, 3),
@@ -215,13 +241,19 @@ BOOST_AUTO_TEST_CASE(choices_and_errors)
         }
 }
 
-// the blend, and not the estimator with the largest weight alone, which is farther off here
+// The blend is nearer to the truth than, at each vertex, the estimator with the largest weight alone.
 BOOST_AUTO_TEST_CASE(blend)
 {
-  const Data data(surfaces()[0], Given::MISLEADING, .08);
-  const double error = adaptive(data).error, error_of_hrbf = hrbf(data, false, 3);
-  BOOST_TEST_MESSAGE("mean error " << error << ", of HRBF " << error_of_hrbf);
-  BOOST_TEST(error < .61 * error_of_hrbf);
+  for(const Given given : {Given::EXACT, Given::ESTIMATED, Given::MISLEADING})
+  {
+    const Data data(surfaces()[0], given, .08);
+    const double error = adaptive(data).error, error_of_largest_weight = largest_weight(data),
+                 error_of_hrbf = hrbf(data, false, 3);
+    BOOST_TEST_MESSAGE("mean error " << error << ", of the largest weight " << error_of_largest_weight
+                                     << ", of HRBF " << error_of_hrbf);
+    BOOST_TEST(error < .97 * error_of_largest_weight);
+    BOOST_TEST(error < .75 * error_of_hrbf);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(threads)

@@ -14,7 +14,9 @@
 #include "build_mesh.h"
 #include "plain_algebra.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <limits>
 #include <numeric>

@@ -107,6 +107,12 @@ std::function<void(const Task&)> hrbf_default(unsigned int rings)
   };
 }
 
+// Normals of level sets may be exact where points aren't: "normals_are_exact" would say it of both.
+std::function<void(const Task&)> hrbf_untold(unsigned int rings)
+{
+  return [rings](const Task& t) { SC::hrbf_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+}
+
 std::function<void(const Task&)> jet(unsigned int degree, unsigned int rings)
 {
   return [degree, rings](const Task& t)
@@ -265,6 +271,8 @@ const std::vector<Estimator>& estimators()
       {"HRBF imq(r^1.5)", "4 rings", basis("1/sqrt(1+(er)^3)"), hrbf(IMQ3(.3), 4), Cost::HIGH},
       {"HRBF default", "2 rings", everywhere(), hrbf_default(2)},
       {"HRBF default", "3 rings", everywhere(), hrbf_default(3)},
+      {"HRBF default, exactness untold", "2 rings", exact_level_sets(""), hrbf_untold(2)},
+      {"HRBF default, exactness untold", "3 rings", exact_level_sets(""), hrbf_untold(3)},
       {"adaptive", "2 to 4 rings", everywhere(), adaptive, Cost::HIGH},
       {"Rusinkiewicz", "1 ring", everywhere("Rus"), rusinkiewicz},
       {"tangent space", "1 ring", everywhere(), tangent_space},

@@ -15,8 +15,9 @@ enum class Adaptive_estimator_choice : unsigned char
   POINTS_4_RINGS, ///< points are exact and the surface is smooth, normals are weak evidence; four rings (60 neighbors)
   NORMALS_3_RINGS, ///< points are noisy, normals are trusted; three rings
   SMOOTHED_3_RINGS, ///< points and normals are a little noisy, and are smoothed twice before the fit; three rings
-  SMOOTHED_4_RINGS, ///< points and normals are noisy, and are smoothed twice before the fit; four rings
-  GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise
+  SMOOTHED_4_RINGS, ///< points and normals are noisy (by .002 of the neighbors' distance at least), and are smoothed twice
+                    ///< before the fit; four rings
+  GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
   BARELY_SMOOTHED_4_RINGS, ///< points have a hundredth of the noise, and are not smoothed before the fit; four rings
   NONE                     ///< there is no estimate
 };

@@ -185,12 +185,11 @@ public:
         field = fit_inexact(3, noise_level(.1), default_normal_noise(), smoothing_passes);
         break;
       case Choice::SMOOTHED_4_RINGS:
-        field = fit_inexact(4, noise_level(), default_normal_noise(), smoothing_passes);
+        field = fit_inexact(4, (std::max)(noise_level(), least_smoothed_level), default_normal_noise(),
+                            smoothing_passes);
         break;
       case Choice::GENTLY_SMOOTHED_4_RINGS:
-        field = noise_level(.1) < noise_level()
-                    ? fit_inexact(4, noise_level(.1), default_normal_noise(), smoothing_passes)
-                    : this->field(Choice::SMOOTHED_4_RINGS);
+        field = fit_inexact(4, noise_level(.1), default_normal_noise(), smoothing_passes);
         break;
       default:
         field = fit_inexact(4, noise_level(.01), default_normal_noise(), 1);
@@ -211,6 +210,8 @@ private:
   static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
   static constexpr double trusted_normal_noise = 1e-3, least_noise_level = 1e-6, least_angle = 1e-12;
   static constexpr unsigned int smoothing_passes = 3;
+  // Level sets of marching cubes look like flat ones without noise where they bend little, and aren't where they bend.
+  static constexpr double least_smoothed_level = 2e-3;
 
   void collect_neighbors()
   {
