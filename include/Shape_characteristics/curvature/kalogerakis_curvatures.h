@@ -58,7 +58,8 @@ namespace Shape_characteristics {
       \cgalParamDescription{how often normals are estimated anew}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
-      \cgalParamExtra{One pass is more accurate where the input is clean, and none still more; more passes smooth more.}
+      \cgalParamExtra{One pass is more accurate where the input is clean, and none where normals are exact; more passes
+                      smooth more.}
     \cgalParamNEnd
     \scCallbackParameter
   \cgalNamedParamsEnd
@@ -149,7 +150,8 @@ Estimation_status kalogerakis_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDescription{how often normals are estimated anew}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
-      \cgalParamExtra{One pass is more accurate where the input is clean, and none still more; more passes smooth more.}
+      \cgalParamExtra{One pass is more accurate where the input is clean, and none where normals are exact; more passes
+                      smooth more.}
     \cgalParamNEnd
     \scCallbackParameter
   \cgalNamedParamsEnd
