@@ -16,6 +16,9 @@ namespace Shape_characteristics {
 
   It is the basis function that the thesis uses with a shape parameter (section 8.1.1). The parameter
   multiplies the cube of the distance (it is not inside of it), so it scales as 1/length<sup>3</sup>.
+  Fits that are given none choose the thesis's: a mean edge length over the cubed side of a box. In the thesis it depends on the
+  unit of length; here both lengths are in units of that side, so that it doesn't, but is larger than it was for the thesis's
+  data. On the level sets of its chapter 8 some 1e-3, in units of a neighborhood's size, is more accurate.
 
   The function is not positive definite, and only three times differentiable at the origin: what
   `radial_derivatives()` defines there as 0 are terms whose limits depend on the direction of approach.
