@@ -184,25 +184,24 @@ void run_with_normals(const Table& table,
   add_rows("exact", "none", "exact");
   for(const Normal_estimator& e : normal_estimators())
     add_rows(e.name, e.neighbourhood, e.column);
-  for_each_sample(table, options,
-                  [&](Sample& sample, std::size_t i, std::uint64_t, bool is_first)
-                  {
-                    std::size_t r = 0;
-                    const auto measure_all = [&](const Normal_map& normals, bool are_exact)
-                    {
-                      for(const Estimator* e : estimators)
-                        rows[r++].errors[i].add(measure(*e, sample, normals, are_exact));
-                    };
-                    measure_all(make_normals(sample, Normals::EXACT), true);
-                    for(const Normal_estimator& e : normal_estimators())
-                    {
-                      Normal_errors unused;
-                      if(is_first || options.all_seeds || e.cost == Cost::LOW)
-                        measure_all(measure(e, sample, unused), false);
-                      else
-                        r += estimators.size();
-                    }
-                  });
+  for_each_sample(
+      table, options,
+      [&](Sample& sample, std::size_t i, std::uint64_t, bool is_first)
+      {
+        const auto measure_all = [&](std::size_t first_row, const Normal_map& normals, bool are_exact)
+        {
+          for(std::size_t e = 0; e < estimators.size(); ++e)
+            rows[first_row + e].errors[i].add(measure(*estimators[e], sample, normals, are_exact));
+        };
+        measure_all(0, make_normals(sample, Normals::EXACT), true);
+        for(std::size_t n = 0; n < normal_estimators().size(); ++n)
+        {
+          const Normal_estimator& of_normals = normal_estimators()[n];
+          Normal_errors unused;
+          if(is_first || options.all_seeds || of_normals.cost == Cost::LOW)
+            measure_all((n + 1) * estimators.size(), measure(of_normals, sample, unused), false);
+        }
+      });
   report.add(table, rows);
 }
 

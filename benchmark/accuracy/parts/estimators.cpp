@@ -90,15 +90,6 @@ std::function<void(const Task&)> hrbf(Basis basis_function, unsigned int rings)
   };
 }
 
-// Derivatives are averaged over discs although normals are exact: points of marching cubes needn't be.
-template <typename Basis>
-std::function<void(const Task&)> hrbf_averaged(Basis basis_function, unsigned int rings)
-{
-  return [basis_function, rings](const Task& t) {
-    SC::hrbf_curvatures(t.mesh, t.parameters().number_of_rings(rings).radial_basis_function(basis_function));
-  };
-}
-
 std::function<void(const Task&)> hrbf_default(unsigned int rings)
 {
   return [rings](const Task& t)
@@ -108,9 +99,13 @@ std::function<void(const Task&)> hrbf_default(unsigned int rings)
 }
 
 // Normals of level sets may be exact where points aren't: "normals_are_exact" would say it of both.
-std::function<void(const Task&)> hrbf_untold(unsigned int rings)
+std::function<void(const Task&)> untold(const std::function<void(const Task&)>& run)
 {
-  return [rings](const Task& t) { SC::hrbf_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
+  return [run](Task t)
+  {
+    t.normals_are_exact = false;
+    run(t);
+  };
 }
 
 std::function<void(const Task&)> jet(unsigned int degree, unsigned int rings)
@@ -263,16 +258,16 @@ const std::vector<Estimator>& estimators()
       {"HRBF exp(-r^3)", "2 rings", exponential("HRBF 2"), hrbf(SC::Exponential_cubic(small), 2)},
       {"HRBF exp(-r^3)", "4 rings", exponential("HRBF 4"), hrbf(SC::Exponential_cubic(small), 4), Cost::HIGH},
       {"HRBF exp(-r^3), averaged", "2 rings", exact_level_sets("HRBF 2"),
-       hrbf_averaged(SC::Exponential_cubic(small), 2)},
+       untold(hrbf(SC::Exponential_cubic(small), 2))},
       {"HRBF exp(-r^3), averaged", "4 rings", exact_level_sets("HRBF 4"),
-       hrbf_averaged(SC::Exponential_cubic(small), 4), Cost::HIGH},
+       untold(hrbf(SC::Exponential_cubic(small), 4)), Cost::HIGH},
       {"HRBF r^4 ln r", "4 rings", basis("r^4 ln r"), hrbf(SC::Polyharmonic_logarithmic<4>(), 4), Cost::HIGH},
       {"HRBF imq(r)", "4 rings", basis("1/sqrt(1+(er)^2)"), hrbf(SC::Inverse_multiquadric(), 4)},
       {"HRBF imq(r^1.5)", "4 rings", basis("1/sqrt(1+(er)^3)"), hrbf(IMQ3(.3), 4), Cost::HIGH},
       {"HRBF default", "2 rings", everywhere(), hrbf_default(2)},
       {"HRBF default", "3 rings", everywhere(), hrbf_default(3)},
-      {"HRBF default, exactness untold", "2 rings", exact_level_sets(""), hrbf_untold(2)},
-      {"HRBF default, exactness untold", "3 rings", exact_level_sets(""), hrbf_untold(3)},
+      {"HRBF default, exactness untold", "2 rings", exact_level_sets(""), untold(hrbf_default(2))},
+      {"HRBF default, exactness untold", "3 rings", exact_level_sets(""), untold(hrbf_default(3))},
       {"adaptive", "2 to 4 rings", everywhere(), adaptive, Cost::HIGH},
       {"Rusinkiewicz", "1 ring", everywhere("Rus"), rusinkiewicz},
       {"tangent space", "1 ring", everywhere(), tangent_space},

@@ -270,8 +270,6 @@ Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
     if(std::isfinite(vertex.errors[c].k_max))
     {
       const double share = Shape_characteristics::internal::adaptive_share(score[c] - least);
-      if(share == 0.) // its error may be anything
-        continue;
       sum += share;
       k_max += share * double(vertex.errors[c].k_max);
       k_min += share * double(vertex.errors[c].k_min);
