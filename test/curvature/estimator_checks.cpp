@@ -303,9 +303,8 @@ void check_permutation(const Run& estimator)
     }
 }
 
-void check_threads(const Run& sequential, const Run& parallel)
+void check_threads(const Run& sequential, const Run& parallel, const Analytic_surface& s)
 {
-  const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 6); // 9 blocks of samples
   for(const Normals normals : {Normals::EXACT, Normals::ESTIMATED})
   {
     const Result expected = run(sequential, s, normals);

@@ -212,15 +212,18 @@ void check_mesh_types(const Estimator& estimator)
 }
 
 // one result, bit for bit, with any number of threads
-void check_threads(const Run& sequential, const Run& parallel);
+void check_threads(const Run& sequential, const Run& parallel, const Analytic_surface& s);
 
 template <typename Estimator>
-void check_threads(const Estimator& estimator)
+void check_threads(
+    const Estimator& estimator,
+    const Analytic_surface& s = test_support::torus(1., .4, 48, 24, .2, 6)) // 9 blocks of samples
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  check_threads(Run(estimator), Run(estimator, CGAL::Parallel_tag()));
+  check_threads(Run(estimator), Run(estimator, CGAL::Parallel_tag()), s);
 #else
   (void)estimator;
+  (void)s;
   BOOST_TEST_MESSAGE("  skipped: built without TBB");
 #endif
 }

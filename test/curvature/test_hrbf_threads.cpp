@@ -16,6 +16,13 @@ BOOST_AUTO_TEST_CASE(results_do_not_depend_on_threads)
   check_threads(Hrbf{[](const auto& np) { return np.noise_level(1e-3).number_of_passes(2u); }});
 }
 
+// the level, and what part of it each pass expects, are those of the data
+BOOST_AUTO_TEST_CASE(results_over_noise_do_not_depend_on_threads)
+{
+  check_threads(Hrbf{[](const auto& np) { return np.number_of_rings(2u); }},
+                test_support::with_noise(test_support::torus(1., .4, 64, 32, .2, 6), .03));
+}
+
 // one call at a time: its variables need no lock
 BOOST_AUTO_TEST_CASE(callback)
 {

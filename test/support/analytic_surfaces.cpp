@@ -351,6 +351,16 @@ waves(double height, double frequency, double half, std::size_t n, double jitter
       half, n, jitter, seed);
 }
 
+Analytic_surface with_noise(Analytic_surface s, double level)
+{
+  Random random(11);
+  const double sigma = level * s.mean_edge_length();
+  for(auto& p : s.points)
+    for(std::size_t c = 0; c < 3; ++c)
+      p[c] += sigma * random.gaussian();
+  return s;
+}
+
 std::vector<Analytic_surface> all_analytic_surfaces(double jitter, std::uint64_t seed)
 {
   return {sphere(2., 3, jitter, seed),

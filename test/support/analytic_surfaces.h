@@ -125,6 +125,10 @@ Analytic_surface waves(double height = .1,
                        double jitter = 0.,
                        std::uint64_t seed = 1);
 
+/// A surface with Gaussian noise of standard deviation `level`, in mean edge lengths, on each coordinate of its points;
+/// normals and curvatures stay those of the surface.
+Analytic_surface with_noise(Analytic_surface s, double level);
+
 /// One of each, for tests that run over all surfaces.
 std::vector<Analytic_surface> all_analytic_surfaces(double jitter = 0., std::uint64_t seed = 1);
 

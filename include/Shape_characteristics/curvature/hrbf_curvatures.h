@@ -101,8 +101,9 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
                             of the 9 nearest neighbors}
       \cgalParamType{`double`}
       \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood. A surface
-                        that bends much from vertex to vertex is taken for noisy on strong evidence alone, and
-                        then a third of the level is expected in each of several passes.}
+                        that bends much from vertex to vertex is taken for noisy on strong evidence alone. Each of
+                        several passes expects all of that level, or a part of it, down to a tenth, where trial
+                        passes over some parts of the surface flatten its bends.}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{normal_noise_level}

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
+#include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
 
@@ -133,17 +134,16 @@ private:
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
-      constexpr double negligible = 1e-4, part = 0.316;
-      std::optional<Noise_probes<SampledSurface>> probes;
-      if(m_noise_level < 0.)
-        probes.emplace(surface);
-      const double level = probes ? probes->level(phi) : m_noise_level;
-      passes = m_passes > 0 ? m_passes : level < negligible ? 1 : std::size_t(passes_over_noise);
-      // several passes that each expected all of the noise would smooth away the bends of a surface as well
-      const bool bends_are_at_risk =
-          probes && passes > 1 && !(level < negligible) && !probes->surface_bends_little();
-      options.noise_level = bends_are_at_risk ? part * level : level;
+      constexpr double negligible = 1e-4;
+      const bool level_is_given = m_noise_level >= 0.;
+      options.noise_level = level_is_given ? m_noise_level : Noise_probes<SampledSurface>(surface).level(phi);
       options.normal_noise_level = m_normal_noise_level;
+      const bool is_noisy = !(options.noise_level < negligible);
+      passes = m_passes > 0 ? m_passes : is_noisy ? std::size_t(passes_over_noise) : 1;
+      if(!level_is_given && is_noisy && passes > 1)
+        options.noise_level *=
+            Smoothing_trial<ConcurrencyTag, SampledSurface, RadialBasisFunction>(surface, phi, options)
+                .part();
     }
     // where a single sample is asked for, its neighbors are smoothed as well
     std::optional<Sample_patches> of_all;

@@ -95,9 +95,6 @@ public:
       m_levels[e] = std::pow(10., (double(e) - 12.) / 2.); // variances from 1e-12 to 0.1
   }
 
-  // whether the surface bends little between the samples of many neighborhoods
-  bool surface_bends_little() const { return m_surface_bends_little; }
-
   /*
     The standard deviation of the points, in units of the root mean square distance of the 9 nearest neighbors: that of a
     grid under which the data of the neighborhoods together are likeliest. Each neighborhood alone knows too little to
@@ -189,7 +186,7 @@ private:
 
   const SampledSurface& m_surface;
   Probes m_probes, m_gentle;
-  bool m_surface_bends_little = false;
+  bool m_surface_bends_little = false; // between the samples of many neighborhoods
   std::vector<double> m_levels;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -43,6 +44,17 @@ public:
     return Sample_patches(surface.traversal_order(patch_size), patch_size);
   }
 
+  // some samples of a surface of `size_of_surface`
+  static Sample_patches
+  of(const std::vector<Index>& samples, std::size_t size_of_surface, std::size_t patch_size)
+  {
+    Sample_patches patches(size_of_surface, patch_size);
+    patches.m_samples = samples;
+    patches.m_places.assign(size_of_surface, (std::numeric_limits<Index>::max)());
+    patches.place_all();
+    return patches;
+  }
+
   std::size_t size() const noexcept { return (m_samples.size() + m_patch_size - 1) / m_patch_size; }
   std::size_t begin(std::size_t patch) const noexcept { return patch * m_patch_size; }
   std::size_t end(std::size_t patch) const noexcept
@@ -64,6 +76,11 @@ private:
     : m_patch_size(patch_size),
       m_samples(std::move(order)),
       m_places(m_samples.size())
+  {
+    place_all();
+  }
+
+  void place_all()
   {
     for(std::size_t place = 0; place < m_samples.size(); ++place)
       m_places[m_samples[place]] = Index(place);

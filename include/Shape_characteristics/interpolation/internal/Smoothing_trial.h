@@ -1,0 +1,236 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SMOOTHING_TRIAL_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SMOOTHING_TRIAL_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Noise_probes.h>
+#include <Shape_characteristics/interpolation/internal/Sample_patches.h>
+#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+/*
+  Two passes over some parts of a surface, to learn how much of the noise each of several passes should expect.
+
+  Passes that each expect all of it may smooth away the bends of the surface as well. The displacements of the second pass
+  tell: where the first one left noise, they are waves of about the length between samples, so that those of samples a
+  little apart have opposite signs; where it flattened bends, those around a sample have one sign. So the level is lowered
+  until the correlation of the displacements is that of noise, but no further than that makes it less.
+*/
+template <typename ConcurrencyTag, typename SampledSurface, typename RadialBasisFunction>
+class Smoothing_trial
+{
+  using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
+  using Index = std::uint32_t;
+
+public:
+  using Options = typename Fit::Options;
+
+  // The points and normals of the surface are moved by `part()`, and back.
+  Smoothing_trial(SampledSurface& surface, const RadialBasisFunction& phi, const Options& options)
+    : m_surface(surface),
+      m_phi(phi),
+      m_options(options)
+  {
+    collect_samples();
+    collect_pairs();
+  }
+
+  // what part of the noise level of the options to expect: between a tenth and all
+  double part() const
+  {
+    constexpr std::array<double, 3> exponents = {0., -0.5, -1.};
+    std::array<double, 3> correlations;
+    for(std::size_t k = 0; k < exponents.size(); ++k)
+    {
+      correlations[k] = correlation(std::pow(10., exponents[k]));
+      if(!(correlations[k] < s_of_noise))
+        continue;
+      if(k == 0)
+        return 1.;
+      const double t = (correlations[k] - s_of_noise) / (correlations[k] - correlations[k - 1]);
+      const double exponent = exponents[k] + t * (exponents[k - 1] - exponents[k]);
+      return std::pow(10., std::round(s_steps * exponent) / s_steps); // whatever the rounding of sums
+    }
+    const auto least = std::min_element(correlations.begin(), correlations.end());
+    return std::pow(10., exponents[std::size_t(least - correlations.begin())]);
+  }
+
+private:
+  // clusters of samples, and with them those that have a part in their fits
+  void collect_samples()
+  {
+    std::vector<unsigned char> is_inner(m_surface.size(), 0), is_outer(m_surface.size(), 0);
+    typename SampledSurface::Workspace workspace;
+    for(const Index center : probes_of(m_surface, s_clusters))
+    {
+      const std::size_t begin = m_inner.size();
+      const auto add = [&](const Index i)
+      {
+        if(is_inner[i] || m_inner.size() - begin == s_cluster_size)
+          return;
+        is_inner[i] = 1;
+        m_inner.push_back(i);
+      };
+      add(center);
+      for(std::size_t k = begin; k < m_inner.size() && m_inner.size() - begin < s_cluster_size; ++k)
+        for(const Index j : m_surface.neighbors(m_inner[k], 0, workspace))
+          add(j);
+      const auto add_outer = [&](const Index i)
+      {
+        if(!is_outer[i])
+          m_outer.push_back(i);
+        is_outer[i] = 1;
+      };
+      for(std::size_t k = begin; k < m_inner.size(); ++k)
+        add_outer(m_inner[k]);
+      for(std::size_t k = begin; k < m_inner.size(); ++k)
+        for(const Index j : m_surface.neighbors(m_inner[k], Scaled_neighborhood::nearest, workspace))
+          add_outer(j);
+    }
+  }
+
+  void collect_pairs()
+  {
+    std::vector<Index> place(m_surface.size(), Index(m_inner.size()));
+    for(std::size_t k = 0; k < m_inner.size(); ++k)
+      place[m_inner[k]] = Index(k);
+    typename SampledSurface::Workspace workspace;
+    Scaled_neighborhood neighborhood;
+    m_inverse_units.reserve(m_inner.size());
+    m_apart_begin.push_back(0);
+    for(const Index i : m_inner)
+    {
+      const bool is_usable =
+          is_estimated(neighborhood.collect(m_surface, i, workspace, s_apart_end, s_apart_end));
+      if(is_usable)
+        for(std::size_t k = s_apart_begin; k < neighborhood.samples.size(); ++k)
+          if(const Index j = place[neighborhood.samples[k]]; j < m_inner.size())
+            m_apart.push_back(j);
+      m_apart_begin.push_back(m_apart.size());
+      m_inverse_units.push_back(is_usable ? 1. / (neighborhood.scale * neighborhood.nearest_size) : 0.);
+    }
+  }
+
+  // of the displacements of the second of two passes, between samples that are a little apart
+  double correlation(double part) const
+  {
+    Options options = m_options;
+    options.noise_level = part * m_options.noise_level;
+    const Fit fit(m_surface, m_phi, options);
+
+    std::vector<Eigen::Vector3d> points(m_surface.size()), normals(m_surface.size());
+    std::vector<Eigen::Vector3d> old_points, old_normals(m_surface.size());
+    for(std::size_t i = 0; i < m_surface.size(); ++i)
+      normals[i] = old_normals[i] = m_surface.normal(i);
+    for_each_of(m_outer, fit,
+                [&](const std::size_t i, const Local_implicit_surface& local)
+                {
+                  const bool moves = is_estimated(local.status);
+                  points[i] = m_surface.point(i);
+                  if(moves)
+                  {
+                    points[i] += local.displacement;
+                    normals[i] = local.gradient.normalized();
+                  }
+                });
+    old_points.reserve(m_outer.size());
+    for(const Index i : m_outer)
+    {
+      old_points.push_back(m_surface.point(i));
+      m_surface.set_point(i, points[i]);
+    }
+    m_surface.set_normals(std::move(normals));
+
+    std::vector<double> heights_of_all(m_surface.size(), 0.);
+    for_each_of(m_inner, fit,
+                [&](const std::size_t i, const Local_implicit_surface& local)
+                {
+                  if(is_estimated(local.status))
+                    heights_of_all[i] = local.displacement.dot(local.gradient.normalized());
+                });
+    for(std::size_t k = 0; k < m_outer.size(); ++k)
+      m_surface.set_point(m_outer[k], old_points[k]);
+    m_surface.set_normals(std::move(old_normals));
+
+    // a few samples, at creases for example, would else outweigh all others
+    std::vector<double> heights;
+    for(std::size_t k = 0; k < m_inner.size(); ++k)
+      heights.push_back(m_inverse_units[k] * heights_of_all[m_inner[k]]);
+    const double limit = s_limit * median_of_absolute(heights);
+    for(double& height : heights)
+      height = (std::min)((std::max)(height, -limit), limit);
+
+    double products = 0., squares = 0.;
+    for(std::size_t k = 0; k < m_inner.size(); ++k)
+    {
+      const std::size_t begin = m_apart_begin[k], end = m_apart_begin[k + 1];
+      if(begin == end)
+        continue;
+      double sum = 0.;
+      for(std::size_t l = begin; l < end; ++l)
+        sum += heights[m_apart[l]];
+      products += heights[k] * sum / double(end - begin);
+      squares += heights[k] * heights[k];
+    }
+    return squares > 0. ? products / squares : -1.; // without displacements nothing is flattened
+  }
+
+  static double median_of_absolute(std::vector<double> values)
+  {
+    if(values.empty())
+      return 0.;
+    for(double& value : values)
+      value = std::abs(value);
+    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+  }
+
+  template <typename Output>
+  void for_each_of(const std::vector<Index>& samples, const Fit& fit, const Output& output) const
+  {
+    const Sample_patches patches =
+        Sample_patches::of(samples, m_surface.size(), Sample_patches::patch_size_for(samples.size()));
+    const typename Fit::Output of_sample = output;
+    std::vector<unsigned char> is_served(m_surface.size(), 0);
+    Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
+        patches.size(),
+        [&](const std::size_t patch, typename Fit::Workspace& workspace)
+        { fit(patches, patch, is_served, workspace, of_sample); },
+        {}, 1);
+  }
+
+  static constexpr std::size_t s_clusters = 32, s_cluster_size = 128;
+  static constexpr std::size_t s_apart_begin = 7, s_apart_end = 18; // about the second ring of a regular mesh
+  static constexpr double s_of_noise = -0.03;                       // correlation
+  static constexpr double s_limit = 4.;  // of displacements, in units of their median
+  static constexpr double s_steps = 64.; // of the part, for each factor of ten
+
+  SampledSurface& m_surface;
+  const RadialBasisFunction& m_phi;
+  Options m_options;
+  std::vector<Index> m_inner,
+      m_outer; // samples of which displacements are looked at, and all that are smoothed
+  std::vector<double> m_inverse_units;    // for each inner sample
+  std::vector<std::size_t> m_apart_begin; // for each inner sample, of the places of those a little apart
+  std::vector<Index> m_apart;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SMOOTHING_TRIAL_H
