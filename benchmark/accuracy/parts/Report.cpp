@@ -51,6 +51,12 @@ std::string csv_text(double value)
   return out.str();
 }
 
+// names have commas
+std::string csv_text(const std::string& name)
+{
+  return '"' + name + '"';
+}
+
 void print_heading(const std::string& what, const Table& table, bool seconds = false)
 {
   std::cout << "\n" << what << "\n\n| estimator";
@@ -164,7 +170,7 @@ void Report::add(const Table& table, const std::vector<Row<Errors>>& rows)
           const Error_statistics& s = all_vertices ? e : inner(row.errors[i]);
           m_csv << table.name << (all_vertices ? "" : " inner") << ',' << table.surfaces[i] << ','
                 << to_string(tessellation(table, table.surfaces[i])) << ',' << to_string(table.normals) << ','
-                << noise_name(table) << ',' << row.name << ',' << row.neighbourhood << ','
+                << noise_name(table) << ',' << csv_text(row.name) << ',' << csv_text(row.neighbourhood) << ','
                 << csv_text(s.mae_k_max()) << ',' << csv_text(s.mae_k_min()) << ',' << csv_text(s.mse_k_max())
                 << ',' << csv_text(s.mse_k_min()) << ',' << csv_text(s.median()) << ',' << s.vertices() << ','
                 << s.flagged() << ',' << csv_text(all_vertices ? figure : nan_value) << '\n';
@@ -205,8 +211,8 @@ void Report::add(const Table& table, const std::vector<Row<Normal_errors>>& rows
       m_cells.push_back({&table, i, row.label(), row.column, e.mean_all() / unit, figure, e.flagged});
       if(m_normals_csv.is_open())
         m_normals_csv << table.name << ',' << table.surfaces[i] << ','
-                      << to_string(tessellation(table, table.surfaces[i])) << ',' << row.name << ','
-                      << row.neighbourhood << ',' << csv_text(e.mean_all()) << ',' << e.all << ','
+                      << to_string(tessellation(table, table.surfaces[i])) << ',' << csv_text(row.name) << ','
+                      << csv_text(row.neighbourhood) << ',' << csv_text(e.mean_all()) << ',' << e.all << ','
                       << e.flagged << ',' << csv_text(unit * figure) << '\n';
     }
     std::cout << " |\n";
