@@ -28,11 +28,15 @@
 #include <Shape_characteristics/normals/hrbf_normals.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
 
+#include <CGAL/Polygon_mesh_processing/measure.h>
+
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace accuracy {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
 
 namespace {
 
@@ -172,6 +176,19 @@ std::function<void(const Task&)> hildebrandt_polthier(unsigned int rings)
   { SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
 }
 
+// The radius in mean edge lengths of the whole mesh: triangles of marching cubes differ much from vertex to vertex.
+std::function<void(const Task&)> hildebrandt_polthier_of_one_radius(double edges)
+{
+  return [edges](const Task& t)
+  {
+    double sum = 0.;
+    for(const auto e : t.mesh.edges())
+      sum += PMP::edge_length(e, t.mesh);
+    const double mean = sum / double(t.mesh.number_of_edges());
+    SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().neighbor_radius(edges * mean));
+  };
+}
+
 std::function<void(const Task&)> integral_invariant(unsigned int rings)
 {
   return [rings](const Task& t)
@@ -293,6 +310,10 @@ const std::vector<Estimator>& estimators()
       {"Hildebrandt-Polthier", "2 edges", everywhere("HP"), hildebrandt_polthier(2)},
       {"Hildebrandt-Polthier", "3 edges", everywhere("HP"), hildebrandt_polthier(3)},
       {"Hildebrandt-Polthier", "4 edges", everywhere("HP"), hildebrandt_polthier(4), Cost::HIGH},
+      {"Hildebrandt-Polthier, one radius", "2 edges", everywhere("HP"),
+       hildebrandt_polthier_of_one_radius(2.)},
+      {"Hildebrandt-Polthier, one radius", "2.5 edges", everywhere("HP"),
+       hildebrandt_polthier_of_one_radius(2.5)},
       {"integral invariants", "2 edges", everywhere(), integral_invariant(2)},
       {"integral invariants", "4 edges", everywhere(), integral_invariant(4), Cost::HIGH},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
