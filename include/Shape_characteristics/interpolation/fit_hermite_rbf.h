@@ -142,7 +142,7 @@ private:
       passes = m_passes > 0 ? m_passes : is_noisy ? std::size_t(passes_over_noise) : 1;
       if(!level_is_given && is_noisy && passes > 1)
         options.noise_level *=
-            Smoothing_trial<ConcurrencyTag, SampledSurface, RadialBasisFunction>(surface, phi, options)
+            Smoothing_trial<ConcurrencyTag, SampledSurface, RadialBasisFunction>(surface, size, phi, options)
                 .part();
     }
     // where a single sample is asked for, its neighbors are smoothed as well

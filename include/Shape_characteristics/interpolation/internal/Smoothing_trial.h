@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -39,13 +40,21 @@ class Smoothing_trial
 public:
   using Options = typename Fit::Options;
 
-  // The points and normals of the surface are moved by `part()`, and back.
-  Smoothing_trial(SampledSurface& surface, const RadialBasisFunction& phi, const Options& options)
+  // The points and normals of the surface are moved by `part()`, and back. Of its samples, the first `size` count.
+  Smoothing_trial(SampledSurface& surface,
+                  std::size_t size,
+                  const RadialBasisFunction& phi,
+                  const Options& options)
     : m_surface(surface),
       m_phi(phi),
       m_options(options)
   {
-    collect_samples();
+    std::vector<Index> centers((std::min)(size, s_clusters));
+    if(size < surface.size())
+      std::iota(centers.begin(), centers.end(), Index(0));
+    else
+      centers = probes_of(surface, s_clusters);
+    collect_samples(centers);
     collect_pairs();
   }
 
@@ -71,12 +80,14 @@ public:
 
 private:
   // clusters of samples, and with them those that have a part in their fits
-  void collect_samples()
+  void collect_samples(const std::vector<Index>& centers)
   {
     std::vector<unsigned char> is_inner(m_surface.size(), 0), is_outer(m_surface.size(), 0);
     typename SampledSurface::Workspace workspace;
-    for(const Index center : probes_of(m_surface, s_clusters))
+    for(const Index center : centers)
     {
+      if(!is_estimated(m_surface.status(center)))
+        continue;
       const std::size_t begin = m_inner.size();
       const auto add = [&](const Index i)
       {
