@@ -139,52 +139,7 @@ private:
   // of the displacements of the second of two passes, between samples that are a little apart
   double correlation(double part) const
   {
-    Options options = m_options;
-    options.noise_level = part * m_options.noise_level;
-    const Fit fit(m_surface, m_phi, options);
-
-    std::vector<Eigen::Vector3d> points(m_surface.size()), normals(m_surface.size());
-    std::vector<Eigen::Vector3d> old_points, old_normals(m_surface.size());
-    for(std::size_t i = 0; i < m_surface.size(); ++i)
-      normals[i] = old_normals[i] = m_surface.normal(i);
-    for_each_of(m_outer, fit,
-                [&](const std::size_t i, const Local_implicit_surface& local)
-                {
-                  const bool moves = is_estimated(local.status);
-                  points[i] = m_surface.point(i);
-                  if(moves)
-                  {
-                    points[i] += local.displacement;
-                    normals[i] = local.gradient.normalized();
-                  }
-                });
-    old_points.reserve(m_outer.size());
-    for(const Index i : m_outer)
-    {
-      old_points.push_back(m_surface.point(i));
-      m_surface.set_point(i, points[i]);
-    }
-    m_surface.set_normals(std::move(normals));
-
-    std::vector<double> heights_of_all(m_surface.size(), 0.);
-    for_each_of(m_inner, fit,
-                [&](const std::size_t i, const Local_implicit_surface& local)
-                {
-                  if(is_estimated(local.status))
-                    heights_of_all[i] = local.displacement.dot(local.gradient.normalized());
-                });
-    for(std::size_t k = 0; k < m_outer.size(); ++k)
-      m_surface.set_point(m_outer[k], old_points[k]);
-    m_surface.set_normals(std::move(old_normals));
-
-    // a few samples, at creases for example, would else outweigh all others
-    std::vector<double> heights;
-    for(std::size_t k = 0; k < m_inner.size(); ++k)
-      heights.push_back(m_inverse_units[k] * heights_of_all[m_inner[k]]);
-    const double limit = s_limit * median_of_absolute(heights);
-    for(double& height : heights)
-      height = (std::min)((std::max)(height, -limit), limit);
-
+    const std::vector<double> heights = heights_of_second_pass(part);
     double products = 0., squares = 0.;
     for(std::size_t k = 0; k < m_inner.size(); ++k)
     {
@@ -200,15 +155,72 @@ private:
     return squares > 0. ? products / squares : -1.; // without displacements nothing is flattened
   }
 
-  static double median_of_absolute(std::vector<double> values)
+  // how far the inner samples move along their normals after all have moved once, in units of the distances there
+  std::vector<double> heights_of_second_pass(double part) const
   {
-    if(values.empty())
-      return 0.;
-    for(double& value : values)
-      value = std::abs(value);
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    Options options = m_options;
+    options.noise_level = part * m_options.noise_level;
+    const Fit fit(m_surface, m_phi, options);
+
+    std::vector<Eigen::Vector3d> points(m_surface.size()), normals(m_surface.size());
+    for(std::size_t i = 0; i < m_surface.size(); ++i)
+    {
+      points[i] = m_surface.point(i);
+      normals[i] = m_surface.normal(i);
+    }
+    std::vector<Eigen::Vector3d> old_normals = normals;
+    for_each_of(m_outer, fit,
+                [&](const std::size_t i, const Local_implicit_surface& local)
+                {
+                  if(!is_estimated(local.status))
+                    return;
+                  points[i] += local.displacement;
+                  normals[i] = local.gradient.normalized();
+                });
+    const auto exchange_points = [&]
+    {
+      for(const Index i : m_outer)
+      {
+        const Eigen::Vector3d old = m_surface.point(i);
+        m_surface.set_point(i, points[i]);
+        points[i] = old;
+      }
+    };
+    exchange_points();
+    m_surface.set_normals(std::move(normals));
+
+    std::vector<double> heights_of_all(m_surface.size(), 0.);
+    for_each_of(m_inner, fit,
+                [&](const std::size_t i, const Local_implicit_surface& local)
+                {
+                  if(is_estimated(local.status))
+                    heights_of_all[i] = local.displacement.dot(local.gradient.normalized());
+                });
+    exchange_points();
+    m_surface.set_normals(std::move(old_normals));
+
+    std::vector<double> heights;
+    heights.reserve(m_inner.size());
+    for(std::size_t k = 0; k < m_inner.size(); ++k)
+      heights.push_back(m_inverse_units[k] * heights_of_all[m_inner[k]]);
+    limit_outliers(heights);
+    return heights;
+  }
+
+  // A few samples, at creases for example, would else outweigh all others.
+  static void limit_outliers(std::vector<double>& heights)
+  {
+    if(heights.empty())
+      return;
+    std::vector<double> sizes;
+    sizes.reserve(heights.size());
+    for(const double height : heights)
+      sizes.push_back(std::abs(height));
+    const auto median = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
+    std::nth_element(sizes.begin(), median, sizes.end());
+    const double limit = s_limit * *median;
+    for(double& height : heights)
+      height = (std::min)((std::max)(height, -limit), limit);
   }
 
   template <typename Output>
@@ -234,8 +246,8 @@ private:
   SampledSurface& m_surface;
   const RadialBasisFunction& m_phi;
   Options m_options;
-  std::vector<Index> m_inner,
-      m_outer; // samples of which displacements are looked at, and all that are smoothed
+  std::vector<Index> m_inner;             // samples of which displacements are looked at
+  std::vector<Index> m_outer;             // those and what has a part in their fits: all that are smoothed
   std::vector<double> m_inverse_units;    // for each inner sample
   std::vector<std::size_t> m_apart_begin; // for each inner sample, of the places of those a little apart
   std::vector<Index> m_apart;
