@@ -202,7 +202,7 @@ private:
   square root of the edge length: the error of a torus then falls linearly. With a ball of two edges it fell with the square
   of the edge length, on a moderately irregular mesh, too.
 
-  By default, the ball is as large as the triangles at its vertex. Where these differ much from vertex to vertex, while the
+  By default, the radius is in proportion to the triangles at the vertex. Where these differ much from vertex to vertex, while the
   shape doesn't, as on meshes of marching cubes, one `neighbor_radius` for all vertices is better.
 
   Triangles without an area, or with points or normals that are not finite, count for nothing.

@@ -10,6 +10,7 @@
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
+#include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
 
@@ -152,24 +153,8 @@ private:
     for(std::size_t pass = 0; pass + 1 < passes; ++pass)
       if(!denoise(surface, Fit(surface, phi, options), of_all ? *of_all : patches, pass, passes))
         return;
-    for_each_patch(Fit(surface, phi, options), surface.size(), patches, output,
-                   callback_of(passes - 1, passes));
-  }
-
-  // whether all patches were visited
-  template <typename Fit>
-  static bool for_each_patch(const Fit& fit,
-                             std::size_t size,
-                             const Sample_patches& patches,
-                             const Output& output,
-                             const std::function<bool(double)>& callback)
-  {
-    std::vector<unsigned char> is_served(size, 0);
-    return Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        patches.size(),
-        [&](const std::size_t patch, typename Fit::Workspace& workspace)
-        { fit(patches, patch, is_served, workspace, output); },
-        callback, 1);
+    for_each_patch<ConcurrencyTag>(Fit(surface, phi, options), surface.size(), patches, output,
+                                   callback_of(passes - 1, passes));
   }
 
   // moves the samples, and turns their normals, to the fitted surfaces
@@ -189,7 +174,7 @@ private:
         points[i] += local.displacement;
       normals[i] = moves ? local.gradient.normalized() : surface.normal(i);
     };
-    if(!for_each_patch(fit, surface.size(), patches, move, callback_of(pass, passes)))
+    if(!for_each_patch<ConcurrencyTag>(fit, surface.size(), patches, move, callback_of(pass, passes)))
       return false;
     for(std::size_t i = 0; i < surface.size(); ++i)
       surface.set_point(i, points[i]);

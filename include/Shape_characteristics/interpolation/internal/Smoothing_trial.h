@@ -7,7 +7,7 @@
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
-#include <Shape_characteristics/sampling/for_each_sample.h>
+#include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 
 #include <Eigen/Core>
 
@@ -29,7 +29,7 @@ namespace internal {
   Passes that each expect all of it may smooth away the bends of the surface as well. The displacements of the second pass
   tell: where the first one left noise, they are waves of about the length between samples, so that those of samples a
   little apart have opposite signs; where it flattened bends, those around a sample have one sign. So the level is lowered
-  until the correlation of the displacements is that of noise, but no further than that makes it less.
+  until the correlation of the displacements is that of noise, or else to where it is least.
 */
 template <typename ConcurrencyTag, typename SampledSurface, typename RadialBasisFunction>
 class Smoothing_trial
@@ -223,18 +223,12 @@ private:
       height = (std::min)((std::max)(height, -limit), limit);
   }
 
-  template <typename Output>
-  void for_each_of(const std::vector<Index>& samples, const Fit& fit, const Output& output) const
+  void
+  for_each_of(const std::vector<Index>& samples, const Fit& fit, const typename Fit::Output& output) const
   {
-    const Sample_patches patches =
-        Sample_patches::of(samples, m_surface.size(), Sample_patches::patch_size_for(samples.size()));
-    const typename Fit::Output of_sample = output;
-    std::vector<unsigned char> is_served(m_surface.size(), 0);
-    Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        patches.size(),
-        [&](const std::size_t patch, typename Fit::Workspace& workspace)
-        { fit(patches, patch, is_served, workspace, of_sample); },
-        {}, 1);
+    const std::size_t patch_size = Sample_patches::patch_size_for(samples.size());
+    for_each_patch<ConcurrencyTag>(fit, m_surface.size(),
+                                   Sample_patches::of(samples, m_surface.size(), patch_size), output);
   }
 
   static constexpr std::size_t s_clusters = 32, s_cluster_size = 128;

@@ -1,0 +1,34 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_FOR_EACH_PATCH_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_FOR_EACH_PATCH_H
+
+#include <Shape_characteristics/interpolation/internal/Sample_patches.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// Fits all patches of a surface of `size` samples with a `Batched_hermite_rbf`, which calls `output`. Returns whether the
+// callback let it visit all of them.
+template <typename ConcurrencyTag, typename Fit>
+bool for_each_patch(const Fit& fit,
+                    std::size_t size,
+                    const Sample_patches& patches,
+                    const typename Fit::Output& output,
+                    const std::function<bool(double)>& callback = {})
+{
+  std::vector<unsigned char> is_served(size, 0);
+  return Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
+      patches.size(),
+      [&](const std::size_t patch, typename Fit::Workspace& workspace)
+      { fit(patches, patch, is_served, workspace, output); },
+      callback, 1);
+}
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_FOR_EACH_PATCH_H
