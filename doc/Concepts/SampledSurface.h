@@ -25,6 +25,10 @@ public:
   /// default constructible scratch memory of `neighbors()`, to be used again from call to call
   typedef unspecified_type Workspace;
 
+  /// gives the blocks of `traversal_order()` one after the other. It is constructed from the surface, which must outlive it, and
+  /// `patch_size`; its function `void next(std::vector<Index>& patch)` replaces `patch` by the next block.
+  typedef unspecified_type Traversal;
+
   /// @}
   /// \name Operations
   /// @{

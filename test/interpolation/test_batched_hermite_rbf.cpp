@@ -79,10 +79,11 @@ std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& sample
   options.fits_are_shared = shared;
   const Fit fit(samples, phi, options, lanes);
   typename Fit::Workspace workspace;
-  const auto patches = internal::Sample_patches::compact(samples, patch_size);
+  auto patches = internal::Sample_patches::compact(samples, patch_size);
   std::vector<unsigned char> is_served(samples.size(), 0);
   std::vector<SC::Local_implicit_surface> result(samples.size());
   std::vector<int> answers(samples.size(), 0);
+  patches.require(patches.size());
   for(std::size_t p = 0; p < patches.size(); ++p)
     fit(patches, p, is_served, workspace,
         [&](const std::size_t i, const SC::Local_implicit_surface& local)

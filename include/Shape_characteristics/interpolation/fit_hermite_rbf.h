@@ -130,8 +130,8 @@ private:
     options.normals_are_exact = m_normals_are_exact;
     options.fits_are_shared = m_fits_are_shared && size == surface.size();
     const std::size_t patch_size = Sample_patches::patch_size_for(size);
-    const Sample_patches patches = options.fits_are_shared ? Sample_patches::compact(surface, patch_size)
-                                                           : Sample_patches(size, patch_size);
+    Sample_patches patches = options.fits_are_shared ? Sample_patches::compact(surface, patch_size)
+                                                     : Sample_patches(size, patch_size);
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
@@ -161,7 +161,7 @@ private:
   template <typename SampledSurface, typename Fit>
   bool denoise(SampledSurface& surface,
                const Fit& fit,
-               const Sample_patches& patches,
+               Sample_patches& patches,
                std::size_t pass,
                std::size_t passes) const
   {

@@ -287,56 +287,43 @@ public:
   */
   std::vector<Index> traversal_order(std::size_t patch_size = 2000) const
   {
-    // One breadth-first search over all would give rings, as long as the mesh and a few vertices wide. So each patch is a
-    // search of its own; it starts at the oldest vertex that those before have reached and left over, and goes on at
-    // the next one if it is enclosed by them.
-    constexpr Index placed = (std::numeric_limits<Index>::max)();
-    std::vector<Index> order, front, reached, number_of_patch(size(), 0); // 0: not reached
+    std::vector<Index> order, patch;
     order.reserve(size());
-    std::size_t front_begin = 0, first = 0, referenced = 0;
-    for(std::size_t i = 0; i < size(); ++i)
-      if(m_status[i] == Estimation_status::UNREFERENCED)
-        number_of_patch[i] = placed;
-      else
-        ++referenced;
-    for(Index patch = 1; order.size() < referenced; ++patch)
+    Traversal traversal(*this, patch_size);
+    while(order.size() < size())
     {
-      reached.clear();
-      std::size_t next = 0;
-      const std::size_t end = (std::min)(order.size() + patch_size, referenced);
-      for(; order.size() < end; ++next)
-      {
-        if(next == reached.size())
-        {
-          while(front_begin < front.size() && number_of_patch[front[front_begin]] == placed)
-            ++front_begin;
-          while(front_begin == front.size() && number_of_patch[first] != 0)
-            ++first;
-          reached.push_back(front_begin < front.size() ? front[front_begin] : Index(first));
-          number_of_patch[reached.back()] = patch;
-        }
-        const Index i = reached[next];
-        order.push_back(i);
-        number_of_patch[i] = placed;
-        const std::size_t before = reached.size();
-        for_each_adjacent(i,
-                          [&](const Index j)
-                          {
-                            if(number_of_patch[j] != placed && number_of_patch[j] != patch)
-                            {
-                              number_of_patch[j] = patch;
-                              reached.push_back(j);
-                            }
-                          });
-        std::sort(reached.begin() + std::ptrdiff_t(before), reached.end());
-      }
-      front.insert(front.end(), reached.begin() + std::ptrdiff_t(next), reached.end());
+      traversal.next(patch);
+      order.insert(order.end(), patch.begin(), patch.end());
     }
-    for(std::size_t i = 0; i < size(); ++i)
-      if(m_status[i] == Estimation_status::UNREFERENCED)
-        order.push_back(Index(i));
     return order;
   }
+
+  /// the patches of `traversal_order()`, one after the other
+  class Traversal
+  {
+  public:
+    /// begins a traversal of `samples`, which must outlive it
+    Traversal(const Face_graph_samples& samples, std::size_t patch_size);
+
+    /// replaces `patch` by the next `patch_size` vertices, or by what is left.
+    void next(std::vector<Index>& patch);
+
+  private:
+    static constexpr Index s_not_reached = 0, s_placed = (std::numeric_limits<Index>::max)();
+
+    void reach(Index i);
+    Index next_start();
+
+    const Face_graph_samples* m_samples;
+    std::size_t m_patch_size;
+    Index m_patch = 0;
+    std::size_t m_left = 0;               // of the vertices that faces refer to; the others come last
+    std::size_t m_unreferenced = 0;       // where to look for the next one of the others
+    std::vector<Index> m_number_of_patch; // which reached a vertex last
+    std::vector<Index> m_reached;         // by the patch at hand
+    std::vector<Index> m_front;           // what patches have reached and left over
+    std::size_t m_front_begin = 0, m_first = 0;
+  };
 
   /// @}
 
@@ -924,6 +911,66 @@ private:
   std::vector<Index> m_face_vertices;
   bool m_is_triangle_mesh = true;
 };
+
+inline Face_graph_samples::Traversal::Traversal(const Face_graph_samples& samples, std::size_t patch_size)
+  : m_samples(&samples),
+    m_patch_size(patch_size),
+    m_number_of_patch(samples.size(), s_not_reached)
+{
+  for(std::size_t i = 0; i < samples.size(); ++i)
+    if(samples.m_status[i] == Estimation_status::UNREFERENCED)
+      m_number_of_patch[i] = s_placed;
+    else
+      ++m_left;
+}
+
+// One breadth-first search over all would give rings, as long as the mesh and a few vertices wide. So each patch is a search of
+// its own; it starts at the oldest vertex that those before have reached and left over, and goes on at the next one if it
+// is enclosed by them.
+inline void Face_graph_samples::Traversal::next(std::vector<Index>& patch)
+{
+  patch.clear();
+  m_reached.clear();
+  ++m_patch;
+  std::size_t next = 0;
+  for(; patch.size() < m_patch_size && m_left > 0; ++next, --m_left)
+  {
+    if(next == m_reached.size())
+      reach(next_start());
+    const Index i = m_reached[next];
+    patch.push_back(i);
+    m_number_of_patch[i] = s_placed;
+    const std::size_t before = m_reached.size();
+    m_samples->for_each_adjacent(i,
+                                 [&](const Index j)
+                                 {
+                                   if(m_number_of_patch[j] != s_placed && m_number_of_patch[j] != m_patch)
+                                     reach(j);
+                                 });
+    std::sort(m_reached.begin() + std::ptrdiff_t(before), m_reached.end());
+  }
+  m_front.insert(m_front.end(), m_reached.begin() + std::ptrdiff_t(next), m_reached.end());
+  for(; patch.size() < m_patch_size && m_unreferenced < m_samples->size(); ++m_unreferenced)
+    if(m_samples->m_status[m_unreferenced] == Estimation_status::UNREFERENCED)
+      patch.push_back(Index(m_unreferenced));
+}
+
+inline void Face_graph_samples::Traversal::reach(Index i)
+{
+  m_number_of_patch[i] = m_patch;
+  m_reached.push_back(i);
+}
+
+inline Face_graph_samples::Index Face_graph_samples::Traversal::next_start()
+{
+  while(m_front_begin < m_front.size() && m_number_of_patch[m_front[m_front_begin]] == s_placed)
+    ++m_front_begin;
+  if(m_front_begin < m_front.size())
+    return m_front[m_front_begin];
+  while(m_number_of_patch[m_first] != s_not_reached)
+    ++m_first;
+  return Index(m_first);
+}
 
 } // namespace Shape_characteristics
 

@@ -196,6 +196,29 @@ public:
     return order;
   }
 
+  /// blocks of `traversal_order()`, one after the other
+  class Traversal
+  {
+  public:
+    /// begins a traversal of `samples`
+    Traversal(const Point_set_samples& samples, std::size_t patch_size)
+      : m_order(samples.traversal_order()),
+        m_patch_size(patch_size)
+    {}
+
+    /// replaces `patch` by the next `patch_size` points, or by what is left.
+    void next(std::vector<Index>& patch)
+    {
+      const std::size_t end = (std::min)(m_begin + m_patch_size, m_order.size());
+      patch.assign(m_order.begin() + std::ptrdiff_t(m_begin), m_order.begin() + std::ptrdiff_t(end));
+      m_begin = end;
+    }
+
+  private:
+    std::vector<Index> m_order;
+    std::size_t m_patch_size, m_begin = 0;
+  };
+
   /// @}
 
   /*!

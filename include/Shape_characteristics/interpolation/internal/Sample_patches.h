@@ -2,9 +2,12 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SAMPLE_PATCHES_H
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -12,7 +15,12 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Samples to be answered for, in an order of which each range of `patch_size` places is a patch.
+/*
+  Samples to be answered for, in an order of which each range of `patch_size` places is a patch.
+
+  Patches of close samples grow one out of the other, so that one thread has to do it. They do when they are first asked
+  for: other threads have patches to work at meanwhile, and what was read to grow one is at hand for what comes next.
+*/
 class Sample_patches
 {
 public:
@@ -30,29 +38,27 @@ public:
 
   // the samples 0, ..., `number_of_samples` - 1
   Sample_patches(std::size_t number_of_samples, std::size_t patch_size)
-    : m_patch_size(patch_size),
-      m_samples(number_of_samples)
+    : Sample_patches(number_of_samples, number_of_samples, patch_size, Grow())
   {
     std::iota(m_samples.begin(), m_samples.end(), Index(0));
-    m_places = m_samples;
-  }
-
-  // all samples of a surface, in an order in which close samples are close
-  template <typename SampledSurface>
-  static Sample_patches compact(const SampledSurface& surface, std::size_t patch_size)
-  {
-    return Sample_patches(surface.traversal_order(patch_size), patch_size);
+    place(0, m_samples.size());
   }
 
   // some samples of a surface of `size_of_surface`
-  static Sample_patches
-  of(const std::vector<Index>& samples, std::size_t size_of_surface, std::size_t patch_size)
+  Sample_patches(const std::vector<Index>& samples, std::size_t size_of_surface, std::size_t patch_size)
+    : Sample_patches(samples.size(), size_of_surface, patch_size, Grow())
   {
-    Sample_patches patches(size_of_surface, patch_size);
-    patches.m_samples = samples;
-    patches.m_places.assign(size_of_surface, (std::numeric_limits<Index>::max)());
-    patches.place_all();
-    return patches;
+    m_samples = samples;
+    place(0, m_samples.size());
+  }
+
+  // all samples of a surface, which must outlive the patches, in an order in which close samples are close
+  template <typename SampledSurface>
+  static Sample_patches compact(const SampledSurface& surface, std::size_t patch_size)
+  {
+    return Sample_patches(surface.size(), surface.size(), patch_size,
+                          [traversal = typename SampledSurface::Traversal(surface, patch_size)](
+                              std::vector<Index>& patch) mutable { traversal.next(patch); });
   }
 
   std::size_t size() const noexcept { return (m_samples.size() + m_patch_size - 1) / m_patch_size; }
@@ -62,32 +68,59 @@ public:
     return (std::min)(begin(patch) + m_patch_size, m_samples.size());
   }
 
+  // Grows the patches up to this one. Each thread calls it before it works at a patch; the others may be at work meanwhile.
+  void require(std::size_t patch)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    for(; m_grow && m_number_of_grown <= patch; ++m_number_of_grown)
+    {
+      m_grow(m_patch);
+      const std::size_t first = begin(m_number_of_grown);
+      std::copy(m_patch.begin(), m_patch.end(), m_samples.begin() + std::ptrdiff_t(first));
+      place(first, first + m_patch.size());
+      if(m_number_of_grown + 1 == size())
+        m_grow = nullptr;
+    }
+  }
+
   Index sample(std::size_t place) const { return m_samples[place]; }
 
-  // whether the sample has its place between `begin` and `end`
+  // whether the sample has its place between `begin` and `end`, the limits of a patch that has grown
   bool is_between(Index sample, std::size_t begin, std::size_t end) const
   {
-    return sample < m_places.size() && m_places[sample] >= begin && m_places[sample] < end;
+    return sample < m_places.size() && place(sample) >= begin && place(sample) < end;
   }
-  std::size_t place(Index sample) const { return m_places[sample]; }
+  std::size_t place(Index sample) const { return m_places[sample].load(std::memory_order_relaxed); }
 
 private:
-  Sample_patches(std::vector<Index> order, std::size_t patch_size)
+  using Grow = std::function<void(std::vector<Index>&)>;
+
+  Sample_patches(std::size_t number_of_samples,
+                 std::size_t size_of_surface,
+                 std::size_t patch_size,
+                 Grow grow)
     : m_patch_size(patch_size),
-      m_samples(std::move(order)),
-      m_places(m_samples.size())
+      m_samples(number_of_samples),
+      m_places(size_of_surface),
+      m_grow(std::move(grow))
   {
-    place_all();
+    for(std::atomic<Index>& place : m_places)
+      place.store((std::numeric_limits<Index>::max)(), std::memory_order_relaxed);
   }
 
-  void place_all()
+  void place(std::size_t begin, std::size_t end)
   {
-    for(std::size_t place = 0; place < m_samples.size(); ++place)
-      m_places[m_samples[place]] = Index(place);
+    for(std::size_t place = begin; place < end; ++place)
+      m_places[m_samples[place]].store(Index(place), std::memory_order_relaxed);
   }
 
   std::size_t m_patch_size;
-  std::vector<Index> m_samples, m_places;
+  std::vector<Index> m_samples;
+  std::vector<std::atomic<Index> > m_places; // read for samples of other patches, too, while those grow
+  Grow m_grow;                               // none: all is there
+  std::vector<Index> m_patch;
+  std::size_t m_number_of_grown = 0;
+  std::mutex m_mutex;
 };
 
 } // namespace internal

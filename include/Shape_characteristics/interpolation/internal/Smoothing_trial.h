@@ -226,9 +226,8 @@ private:
   void
   for_each_of(const std::vector<Index>& samples, const Fit& fit, const typename Fit::Output& output) const
   {
-    const std::size_t patch_size = Sample_patches::patch_size_for(samples.size());
-    for_each_patch<ConcurrencyTag>(fit, m_surface.size(),
-                                   Sample_patches::of(samples, m_surface.size(), patch_size), output);
+    Sample_patches patches(samples, m_surface.size(), Sample_patches::patch_size_for(samples.size()));
+    for_each_patch<ConcurrencyTag>(fit, m_surface.size(), patches, output);
   }
 
   static constexpr std::size_t s_clusters = 32, s_cluster_size = 128;

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
+#include <atomic>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -16,15 +17,20 @@ namespace internal {
 template <typename ConcurrencyTag, typename Fit>
 bool for_each_patch(const Fit& fit,
                     std::size_t size,
-                    const Sample_patches& patches,
+                    Sample_patches& patches,
                     const typename Fit::Output& output,
                     const std::function<bool(double)>& callback = {})
 {
   std::vector<unsigned char> is_served(size, 0);
+  std::atomic<std::size_t> next{0}; // in their order, in which they grow, whichever thread comes
   return Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
       patches.size(),
-      [&](const std::size_t patch, typename Fit::Workspace& workspace)
-      { fit(patches, patch, is_served, workspace, output); },
+      [&](std::size_t, typename Fit::Workspace& workspace)
+      {
+        const std::size_t patch = next++;
+        patches.require(patch);
+        fit(patches, patch, is_served, workspace, output);
+      },
       callback, 1);
 }
 
