@@ -32,7 +32,6 @@
 #include "parts/report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <stdexcept>
@@ -95,7 +94,7 @@ void measure_peak(Session& session, const Options& options)
     figure.group = "peak";
     figure.estimator = "registers, " + peak.name;
     figure.operations = double(steps) * double(peak.operations_per_step);
-    session.add(figure, [peak, steps] { use({peak.run(steps)}); });
+    session.add(figure, {}, [peak, steps] { use({peak.run(steps)}); });
   }
   const auto product = std::make_shared<Matrix_product>(512);
   Figure figure;
@@ -103,23 +102,21 @@ void measure_peak(Session& session, const Options& options)
   figure.estimator = "Eigen's matrix product";
   figure.neighbourhood = "512 x 512";
   figure.operations = product->operations();
-  session.add(figure, [product] { use({product->run()}); });
+  session.add(figure, {}, [product] { use({product->run()}); });
 
-  constexpr double enough_operations = 2e6; // for a clock that is read once a run
-  for(const Factorization& f : factorizations())
+  const double enough_operations = options.quick ? 1. : 2e6; // for a clock that is read once a run
+  for(const Factorization& f : factorizations(enough_operations))
   {
-    const std::size_t times = options.quick ? 1 : std::size_t(std::ceil(enough_operations / f.operations));
     Figure of_factorization;
     of_factorization.group = "factorization";
     of_factorization.estimator = f.name;
     of_factorization.neighbourhood = std::to_string(f.equations) + " equations";
-    of_factorization.operations = double(times) * f.operations;
-    session.add(of_factorization,
-                [f, times]
+    of_factorization.operations = f.operations;
+    session.add(of_factorization, f.prepare,
+                [f]
                 {
-                  for(std::size_t i = 0; i < times; ++i)
-                    if(!f.run())
-                      throw std::runtime_error(f.name + " failed");
+                  if(!f.run())
+                    throw std::runtime_error(f.name + " failed");
                 });
   }
   session.run(options.repetitions);
@@ -212,7 +209,7 @@ void measure_threads(Session& session, const Options& options)
     figure.neighbourhood = std::to_string(threads) + (threads == 1 ? " thread" : " threads");
     figure.threads = threads;
     figure.operations = double(threads) * double(steps) * double(peak.operations_per_step);
-    session.add(figure,
+    session.add(figure, {},
                 [peak, steps, threads]
                 {
                   std::vector<double> results(threads);

@@ -21,12 +21,14 @@ double seconds(clockid_t clock)
 // Times each iteration by itself as well: the quickest one was disturbed least. What runs on one thread is measured in the
 // time that the processor spent with it: that of other programs on the machine isn't counted.
 template <typename Run>
-void iterate(benchmark::State& state, Figure& figure, const Run& run)
+void iterate(benchmark::State& state, Figure& figure, const std::function<void()>& prepare, const Run& run)
 {
   const clockid_t clock = figure.threads == 1 ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC;
   double quickest = std::numeric_limits<double>::infinity();
   for([[maybe_unused]] auto _ : state)
   {
+    if(prepare)
+      prepare();
     const double start = seconds(clock);
     run();
     quickest = std::min(quickest, seconds(clock) - start);
@@ -88,7 +90,7 @@ void Session::add(Figure figure,
   const auto measure = [&f, workload, run](benchmark::State& state)
   {
     workload->clear_results();
-    iterate(state, f, [&] { run(*workload); });
+    iterate(state, f, {}, [&] { run(*workload); });
     if(!f.has_errors)
       return;
     const benchmark_support::Error_statistics errors = workload->errors();
@@ -111,11 +113,11 @@ void Session::add(Figure figure,
       });
 }
 
-void Session::add(Figure figure, const std::function<void()>& run)
+void Session::add(Figure figure, const std::function<void()>& prepare, const std::function<void()>& run)
 {
   m_figures.push_back(std::move(figure));
   Figure& f = m_figures.back();
-  const auto measure = [&f, run](benchmark::State& state) { iterate(state, f, run); };
+  const auto measure = [&f, prepare, run](benchmark::State& state) { iterate(state, f, prepare, run); };
   m_added.push_back(
       [this, &f, measure](int repetitions)
       {

@@ -27,8 +27,8 @@ public:
   void
   add(Figure figure, const std::shared_ptr<Workload>& workload, const std::function<void(Workload&)>& run);
 
-  /// Adds something else.
-  void add(Figure figure, const std::function<void()>& run);
+  /// Adds something else. `prepare`, which may be empty, comes before each run and isn't timed.
+  void add(Figure figure, const std::function<void()>& prepare, const std::function<void()>& run);
 
   /// Runs what was added `repetitions` times, and forgets it: the figures stay.
   void run(int repetitions);

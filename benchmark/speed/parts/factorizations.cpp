@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace speed {
@@ -32,22 +33,56 @@ Eigen::MatrixXd positive_definite_matrix(std::size_t equations)
   return result;
 }
 
+// n^3 / 3 and what is below; half of them multiplications; roots and quotients count as one
+double operations_of_cholesky(std::size_t equations)
+{
+  const double n = double(equations);
+  return n * (n + 1.) * (2. * n + 1.) / 6.;
+}
+
+// with both substitutions
+double operations_of_solution(std::size_t equations)
+{
+  return operations_of_cholesky(equations) + 2. * double(equations) * double(equations);
+}
+
+std::size_t times(double enough_operations, double operations)
+{
+  return std::size_t(std::ceil(enough_operations / operations));
+}
+
 // one system after the other: the plain path, and what the batches are to be compared with
-Factorization eigen_cholesky(std::size_t equations)
+Factorization eigen_cholesky(std::size_t equations, double enough_operations)
 {
   struct Systems
   {
-    Eigen::MatrixXd matrix, factor;
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd data;
+    std::vector<Eigen::MatrixXd> factors;
+    std::vector<Eigen::VectorXd> solutions;
   };
   const auto systems = std::make_shared<Systems>();
   systems->matrix = positive_definite_matrix(equations);
-  return {"Eigen::LLT", equations, operations_of_cholesky(equations),
-          [systems]
+  systems->data = Eigen::VectorXd::Ones(Eigen::Index(equations));
+  const double operations = operations_of_solution(equations);
+  const std::size_t number = times(enough_operations, operations);
+  return {"Eigen::LLT", equations, double(number) * operations,
+          [systems, number]
           {
-            systems->factor = systems->matrix;
-            Eigen::Ref<Eigen::MatrixXd> in_place(systems->factor);
-            const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> cholesky(in_place);
-            return cholesky.info() == Eigen::Success;
+            systems->factors.assign(number, systems->matrix);
+            systems->solutions.assign(number, systems->data);
+          },
+          [systems, number]
+          {
+            bool all = true;
+            for(std::size_t k = 0; k < number; ++k)
+            {
+              Eigen::Ref<Eigen::MatrixXd> in_place(systems->factors[k]);
+              const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>, Eigen::Lower> cholesky(in_place);
+              cholesky.solveInPlace(systems->solutions[k]);
+              all = all && cholesky.info() == Eigen::Success;
+            }
+            return all;
           }};
 }
 
@@ -78,43 +113,54 @@ void fill(SC::internal::Hermite_batch& batch)
   }
 }
 
-// Several systems side by side, as the estimators solve them. What assembles them is within the time, but its operations
-// aren't counted: the factorization alone is a little faster than this.
-Factorization batch(std::size_t lanes, std::size_t centers)
+// Several systems side by side, as the estimators solve them. What assembles them is timed, too, or isn't; its operations
+// aren't counted.
+Factorization batch(std::size_t lanes, std::size_t centers, bool with_assembly, double enough_operations)
 {
   using Functions = SC::internal::Hermite_batch_functions<SC::Inverse_multiquadric>;
-  const auto systems = std::make_shared<SC::internal::Hermite_batch>();
-  systems->clear(lanes, centers, SC::internal::Hermite_equations::TANGENTS);
-  fill(*systems);
-  const std::size_t equations = systems->number_of_equations;
-  return {std::to_string(lanes) + " systems side by side, with their assembly", equations,
-          double(lanes) * (operations_of_cholesky(equations) + 2. * double(equations) * double(equations)),
-          [systems, functions = Functions::best(lanes)]
+  const std::size_t equations = 3 * centers + 1;
+  const double operations = double(lanes) * operations_of_solution(equations);
+  const std::size_t number = times(enough_operations, operations);
+  const auto batches = std::make_shared<std::vector<SC::internal::Hermite_batch>>(number);
+  for(SC::internal::Hermite_batch& b : *batches)
+  {
+    b.clear(lanes, centers, SC::internal::Hermite_equations::TANGENTS);
+    fill(b);
+  }
+  const auto functions = Functions::best(lanes);
+  const auto assemble = [functions](SC::internal::Hermite_batch& b)
+  { functions.assemble(b, SC::Inverse_multiquadric(1.)); };
+  return {std::to_string(lanes) + " systems side by side" + (with_assembly ? ", with their assembly" : ""),
+          equations, double(number) * operations,
+          [batches, assemble] { std::for_each(batches->begin(), batches->end(), assemble); },
+          [batches, assemble, with_assembly, functions]
           {
-            functions.solve(*systems, SC::Inverse_multiquadric(1.));
-            const auto& solved = systems->is_positive_definite;
-            return std::all_of(solved.begin(), solved.begin() + std::ptrdiff_t(systems->lanes()),
-                               [](double x) { return x == 1.; });
+            bool all = true;
+            for(SC::internal::Hermite_batch& b : *batches)
+            {
+              if(with_assembly)
+                assemble(b);
+              functions.solve(b);
+              const auto& solved = b.is_positive_definite;
+              all = all && std::all_of(solved.begin(), solved.begin() + std::ptrdiff_t(b.lanes()),
+                                       [](double x) { return x == 1.; });
+            }
+            return all;
           }};
 }
 
 } // namespace
 
-double operations_of_cholesky(std::size_t equations)
-{
-  const double n = double(equations);
-  return n * (n + 1.) * (2. * n + 1.) / 6.; // half of them multiplications; roots and quotients count as one
-}
-
-std::vector<Factorization> factorizations()
+std::vector<Factorization> factorizations(double enough_operations)
 {
   std::vector<Factorization> list;
   for(const std::size_t centers : {7, 19, 37, 61})
   {
-    list.push_back(eigen_cholesky(3 * centers + 1));
+    list.push_back(eigen_cholesky(3 * centers + 1, enough_operations));
     for(const std::size_t lanes : {2, 4, 8})
       if(SC::internal::Hermite_batch_functions<SC::Inverse_multiquadric>::best(lanes).lanes == lanes)
-        list.push_back(batch(lanes, centers));
+        for(const bool with_assembly : {true, false})
+          list.push_back(batch(lanes, centers, with_assembly, enough_operations));
   }
   return list;
 }

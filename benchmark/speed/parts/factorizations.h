@@ -14,15 +14,14 @@ struct Factorization
 {
   std::string name;
   std::size_t equations;
-  double operations;         ///< multiplications and additions of one run
-  std::function<bool()> run; ///< returns whether all systems were solved
+  double operations; ///< multiplications and additions of one run, but those of what assembles the systems
+  std::function<void()> prepare; ///< comes before each run, and isn't timed
+  std::function<bool()> run;     ///< returns whether all systems were solved
 };
 
-/// The operations of a Cholesky factorization: n^3 / 3 and what is below.
-double operations_of_cholesky(std::size_t equations);
-
-/// Those of the library, on systems of 3m + 1 equations for 1, 2, 3 and 4 rings of a mesh: m = 7, 19, 37, 61.
-std::vector<Factorization> factorizations();
+/// Those of the library, with and without what assembles the systems, and Eigen's, on systems of 3m + 1 equations for 1, 2,
+/// 3 and 4 rings of a mesh: m = 7, 19, 37, 61. A run solves so many systems that they are about `enough_operations`.
+std::vector<Factorization> factorizations(double enough_operations);
 
 } // namespace speed
 

@@ -194,7 +194,8 @@ public:
       const std::size_t last = (std::min)(first + lanes, workspace.m_tasks.size());
       fill_batch(first, last, workspace);
       batch.wants_log_likelihood = true;
-      m_functions.solve(batch, m_unit_phi);
+      m_functions.assemble(batch, m_unit_phi);
+      m_functions.solve(batch);
       for(std::size_t t = first; t < last; ++t)
         if(batch.is_positive_definite[t - first] != 0.)
           result[workspace.m_tasks[workspace.m_order[t]].first_served] = batch.log_likelihood[t - first];
@@ -419,7 +420,8 @@ private:
     Hermite_batch& batch = workspace.m_batch;
     fill_batch(first, last, workspace);
     batch.wants_log_likelihood = false;
-    m_functions.solve(batch, m_unit_phi);
+    m_functions.assemble(batch, m_unit_phi);
+    m_functions.solve(batch);
 
     std::size_t most_served = 0;
     for(std::size_t lane = 0; first + lane < last; ++lane)

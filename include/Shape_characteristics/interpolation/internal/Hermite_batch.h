@@ -80,8 +80,8 @@ public:
   }
 
   std::size_t lanes() const { return m_lanes; }
-  std::size_t centers() const { return m_centers; }
-  Hermite_equations equations() const { return m_equations; }
+  [[gnu::always_inline]] std::size_t centers() const { return m_centers; }
+  [[gnu::always_inline]] Hermite_equations equations() const { return m_equations; }
 
   void set(double* array, std::size_t k, std::size_t lane, double value)
   {
@@ -126,7 +126,7 @@ public:
   }
 
   // first number of panel `p` of the matrix: of four rows of the lower triangle, column by column
-  static std::size_t panel(std::size_t p) { return 8 * p * (p + 1); }
+  [[gnu::always_inline]] static std::size_t panel(std::size_t p) { return 8 * p * (p + 1); }
 
   static constexpr std::size_t s_jet = 12; // value, gradient, upper triangle of the Hessian matrix, quality
 

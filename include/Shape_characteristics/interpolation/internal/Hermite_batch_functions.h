@@ -28,9 +28,10 @@ struct Hermite_batch_functions
   using Function = void (*)(Hermite_batch&, const RadialBasisFunction&);
 
   std::size_t lanes;
-  Function solve;
-  Function evaluate;       // value, gradient, Hessian matrix
-  Function evaluate_value; // value and gradient
+  Function assemble;
+  void (*solve)(Hermite_batch&); // what was assembled
+  Function evaluate;             // value, gradient, Hessian matrix
+  Function evaluate_value;       // value and gradient
 
   // the widest that has no more than `max_lanes` lanes
   static Hermite_batch_functions best(std::size_t max_lanes = Hermite_batch::max_lanes)
@@ -38,25 +39,31 @@ struct Hermite_batch_functions
 #if defined(__GNUC__) && defined(__x86_64__)
     if(max_lanes >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
        __builtin_cpu_supports("avx512vl"))
-      return {8, solve_8, evaluate_8<true>, evaluate_8<false>};
+      return {8, assemble_8, solve_8, evaluate_8<true>, evaluate_8<false>};
     if(max_lanes >= 4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-      return {4, solve_4, evaluate_4<true>, evaluate_4<false>};
+      return {4, assemble_4, solve_4, evaluate_4<true>, evaluate_4<false>};
 #endif
 #if defined(__GNUC__)
     if(max_lanes >= 2)
-      return {2, solve_plain<2>, evaluate_plain<2, true>, evaluate_plain<2, false>};
+      return {2, assemble_plain<2>, solve_plain<2>, evaluate_plain<2, true>, evaluate_plain<2, false>};
 #else
     (void)max_lanes;
 #endif
-    return {1, solve_plain<1>, evaluate_plain<1, true>, evaluate_plain<1, false>};
+    return {1, assemble_plain<1>, solve_plain<1>, evaluate_plain<1, true>, evaluate_plain<1, false>};
   }
 
 private:
 #if defined(__GNUC__) && defined(__x86_64__)
   [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
-  solve_8(Hermite_batch& batch, const RadialBasisFunction& phi)
+  assemble_8(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<8, RadialBasisFunction>::solve(batch, phi);
+    Hermite_batch_solver<8, RadialBasisFunction>::assemble(batch, phi);
+  }
+
+  [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
+  solve_8(Hermite_batch& batch)
+  {
+    Hermite_batch_solver<8, RadialBasisFunction>::solve(batch);
   }
 
   template <bool with_hessian>
@@ -66,10 +73,15 @@ private:
     Hermite_batch_solver<8, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 
-  [[gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void solve_4(Hermite_batch& batch,
-                                                                             const RadialBasisFunction& phi)
+  [[gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
+  assemble_4(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<4, RadialBasisFunction>::solve(batch, phi);
+    Hermite_batch_solver<4, RadialBasisFunction>::assemble(batch, phi);
+  }
+
+  [[gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void solve_4(Hermite_batch& batch)
+  {
+    Hermite_batch_solver<4, RadialBasisFunction>::solve(batch);
   }
 
   template <bool with_hessian>
@@ -81,9 +93,15 @@ private:
 #endif
 
   template <int n>
-  static void solve_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
+  static void assemble_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<n, RadialBasisFunction>::solve(batch, phi);
+    Hermite_batch_solver<n, RadialBasisFunction>::assemble(batch, phi);
+  }
+
+  template <int n>
+  static void solve_plain(Hermite_batch& batch)
+  {
+    Hermite_batch_solver<n, RadialBasisFunction>::solve(batch);
   }
 
   template <int n, bool with_hessian>

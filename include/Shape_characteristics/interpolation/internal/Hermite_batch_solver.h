@@ -25,12 +25,17 @@ class Hermite_batch_solver
   using Basis_function = Basis_function_on_lanes<RadialBasisFunction>;
 
 public:
-  [[gnu::always_inline]] static void solve(Hermite_batch& batch, const RadialBasisFunction& phi)
+  [[gnu::always_inline]] static void assemble(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
     if(batch.equations() == Hermite_equations::TANGENTS)
       assemble_tangents(batch, Basis_function(phi));
     else
       assemble_gradients(batch, Basis_function(phi));
+  }
+
+  // what was assembled
+  [[gnu::always_inline]] static void solve(Hermite_batch& batch)
+  {
     factorize(batch);
     collect_weights(batch);
   }
