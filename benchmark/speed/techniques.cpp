@@ -78,7 +78,8 @@ batched(const Samples& samples, const RadialBasisFunction& phi, bool exact, std:
     options.fits_are_shared = shared;
     const Fit fit(samples, phi, options, lanes);
     typename Fit::Workspace workspace;
-    const auto patches = SC::internal::Sample_patches::compact(samples, patch_size);
+    auto patches = SC::internal::Sample_patches::compact(samples, patch_size);
+    patches.require(patches.size());
     std::vector<unsigned char> is_served(samples.size(), 0);
     for(std::size_t p = 0; p < patches.size(); ++p)
       fit(patches, p, is_served, workspace,
