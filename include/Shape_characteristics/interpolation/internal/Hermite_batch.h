@@ -80,6 +80,7 @@ public:
   }
 
   std::size_t lanes() const { return m_lanes; }
+  // Always inline: into functions that are tuned otherwise than the rest, GCC doesn't inline on its own.
   [[gnu::always_inline]] std::size_t centers() const { return m_centers; }
   [[gnu::always_inline]] Hermite_equations equations() const { return m_equations; }
 
