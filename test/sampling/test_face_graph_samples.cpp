@@ -21,6 +21,7 @@
 #include "bad_meshes.h"
 #include "build_mesh.h"
 #include "build_openmesh.h"
+#include "check_traversal.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -442,6 +443,7 @@ BOOST_AUTO_TEST_CASE(traversal_goes_by_compact_patches)
         check_permutation(order, samples.size());
         BOOST_TEST(order.front() == 0u);
         BOOST_TEST(part_across_blocks(samples, order) < .06);
+        test_support::check_traversal(samples, 512);
 
         // The connectivity alone determines it.
         Polygon_arrays moved = a;
@@ -463,8 +465,11 @@ BOOST_AUTO_TEST_CASE(traversal_goes_by_compact_patches)
       }
   }
   for(const Polygon_arrays& a : some_meshes())
-    check_permutation(samples_of(build_mesh<Mesh>(a), Neighborhood::rings(2)).traversal_order(),
-                      a.points.size());
+  {
+    const Face_graph_samples samples = samples_of(build_mesh<Mesh>(a), Neighborhood::rings(2));
+    check_permutation(samples.traversal_order(), a.points.size());
+    test_support::check_traversal(samples, 3);
+  }
   BOOST_TEST(samples_of(Mesh(), Neighborhood::rings(2)).traversal_order().empty());
 }
 

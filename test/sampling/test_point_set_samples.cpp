@@ -6,6 +6,7 @@
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 
 #include "analytic_surfaces.h"
+#include "check_traversal.h"
 
 #include <CGAL/property_map.h>
 
@@ -321,6 +322,7 @@ BOOST_AUTO_TEST_CASE(traversal_goes_by_compact_patches)
   BOOST_REQUIRE(order.size() == points.size());
   BOOST_TEST(order.back() == bad);
   BOOST_TEST((samples_of(points, Neighborhood::ball(.1)).traversal_order() == order));
+  test_support::check_traversal(samples, 512);
 
   std::vector<std::size_t> block(points.size(), points.size());
   for(std::size_t k = 0; k < order.size(); ++k)
