@@ -12,11 +12,13 @@
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include "build_face_graph.h"
 
@@ -77,13 +79,10 @@ batched(const Samples& samples, const RadialBasisFunction& phi, bool exact, std:
     options.normals_are_exact = exact;
     options.fits_are_shared = shared;
     const Fit fit(samples, phi, options, lanes);
-    typename Fit::Workspace workspace;
     auto patches = SC::internal::Sample_patches::compact(samples, patch_size);
-    patches.require(patches.size());
-    std::vector<unsigned char> is_served(samples.size(), 0);
-    for(std::size_t p = 0; p < patches.size(); ++p)
-      fit(patches, p, is_served, workspace,
-          [&](const std::size_t i, const SC::Local_implicit_surface& local) { fits[i] = local; });
+    SC::internal::for_each_patch<CGAL::Sequential_tag>(
+        fit, samples.size(), patches,
+        [&](const std::size_t i, const SC::Local_implicit_surface& local) { fits[i] = local; });
   };
 }
 

@@ -10,10 +10,12 @@
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
+#include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/tags.h>
 
 #include <Eigen/Core>
 
@@ -78,19 +80,16 @@ std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& sample
   options.noise_level = noise;
   options.fits_are_shared = shared;
   const Fit fit(samples, phi, options, lanes);
-  typename Fit::Workspace workspace;
   auto patches = internal::Sample_patches::compact(samples, patch_size);
-  std::vector<unsigned char> is_served(samples.size(), 0);
   std::vector<SC::Local_implicit_surface> result(samples.size());
   std::vector<int> answers(samples.size(), 0);
-  patches.require(patches.size());
-  for(std::size_t p = 0; p < patches.size(); ++p)
-    fit(patches, p, is_served, workspace,
-        [&](const std::size_t i, const SC::Local_implicit_surface& local)
-        {
-          result[i] = local;
-          ++answers[i];
-        });
+  internal::for_each_patch<CGAL::Sequential_tag>(
+      fit, samples.size(), patches,
+      [&](const std::size_t i, const SC::Local_implicit_surface& local)
+      {
+        result[i] = local;
+        ++answers[i];
+      });
   BOOST_TEST(std::all_of(answers.begin(), answers.end(), [](const int n) { return n == 1; }));
   return result;
 }

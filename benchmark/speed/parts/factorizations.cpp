@@ -33,17 +33,11 @@ Eigen::MatrixXd positive_definite_matrix(std::size_t equations)
   return result;
 }
 
-// n^3 / 3 and what is below; half of them multiplications; roots and quotients count as one
-double operations_of_cholesky(std::size_t equations)
-{
-  const double n = double(equations);
-  return n * (n + 1.) * (2. * n + 1.) / 6.;
-}
-
-// with both substitutions
+// of Cholesky's method, n^3 / 3 and what is below, and of both substitutions; roots and quotients count as one
 double operations_of_solution(std::size_t equations)
 {
-  return operations_of_cholesky(equations) + 2. * double(equations) * double(equations);
+  const double n = double(equations);
+  return n * (n + 1.) * (2. * n + 1.) / 6. + 2. * n * n;
 }
 
 std::size_t times(double enough_operations, double operations)

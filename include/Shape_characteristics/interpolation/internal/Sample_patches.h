@@ -41,7 +41,7 @@ public:
     : Sample_patches(number_of_samples, number_of_samples, patch_size, Grow())
   {
     std::iota(m_samples.begin(), m_samples.end(), Index(0));
-    place(0, m_samples.size());
+    enter(0, m_samples.size());
   }
 
   // some samples of a surface of `size_of_surface`
@@ -49,7 +49,7 @@ public:
     : Sample_patches(samples.size(), size_of_surface, patch_size, Grow())
   {
     m_samples = samples;
-    place(0, m_samples.size());
+    enter(0, m_samples.size());
   }
 
   // all samples of a surface, which must outlive the patches, in an order in which close samples are close
@@ -77,7 +77,7 @@ public:
       m_grow(m_patch);
       const std::size_t first = begin(m_number_of_grown);
       std::copy(m_patch.begin(), m_patch.end(), m_samples.begin() + std::ptrdiff_t(first));
-      place(first, first + m_patch.size());
+      enter(first, first + m_patch.size());
       if(m_number_of_grown + 1 == size())
         m_grow = nullptr;
     }
@@ -108,7 +108,8 @@ private:
       place.store((std::numeric_limits<Index>::max)(), std::memory_order_relaxed);
   }
 
-  void place(std::size_t begin, std::size_t end)
+  // the samples between these places
+  void enter(std::size_t begin, std::size_t end)
   {
     for(std::size_t place = begin; place < end; ++place)
       m_places[m_samples[place]].store(Index(place), std::memory_order_relaxed);
