@@ -116,7 +116,6 @@ std::size_t adaptive_curvatures(const FaceGraph& mesh,
       internal::adaptive_callback(np), internal::adaptive_fits_are_shared(np));
   internal::Adaptive_estimates result =
       internal::Adaptive_estimator<ConcurrencyTag, Face_graph_samples>(statistics, statistics.size())();
-  internal::mark_duplicates(statistics.surface(), result.estimates);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_estimator_map_t>::value)
   {
     const auto map = get_parameter(np, internal_np::vertex_estimator_map);
@@ -124,7 +123,7 @@ std::size_t adaptive_curvatures(const FaceGraph& mesh,
     for(const auto v : vertices(mesh))
       put(map, v, result.choices[i++]);
   }
-  return internal::write_to_mesh(mesh, result.estimates, np);
+  return internal::write_to_mesh(mesh, statistics.surface(), result.estimates, np);
 }
 
 /*!

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/internal/Large_array.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
@@ -13,24 +14,26 @@
 
 #include <cstddef>
 #include <type_traits>
-#include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
 
 template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>
-std::vector<Curvature_estimate>
+Large_array<Curvature_estimate>
 hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters& np)
 {
-  return fit_hermite_rbf<ConcurrencyTag, Curvature_estimate>(
+  Large_array<Curvature_estimate> estimates(size, ConcurrencyTag());
+  for_each_hermite_rbf_fit<ConcurrencyTag>(
       surface, size,
-      [](std::size_t, const Local_implicit_surface& local)
+      [&](const std::size_t i, const Local_implicit_surface& local)
       {
-        return is_estimated(local.status)
-                   ? Curvature_estimate(local.status, curvatures_of_implicit(local.gradient, local.hessian))
-                   : Curvature_estimate(local.status);
+        estimates[i] =
+            is_estimated(local.status)
+                ? Curvature_estimate(local.status, curvatures_of_implicit(local.gradient, local.hessian))
+                : Curvature_estimate(local.status);
       },
       np);
+  return estimates;
 }
 
 } // namespace internal
@@ -149,8 +152,7 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
 {
   Face_graph_samples surface = sampled_surface<ConcurrencyTag>(mesh, internal::mesh_neighborhood(np), np);
   auto estimates = internal::hrbf_estimates<ConcurrencyTag>(surface, surface.size(), np);
-  internal::mark_duplicates(surface, estimates);
-  return internal::write_to_mesh(mesh, estimates, np);
+  return internal::write_to_mesh(mesh, surface, estimates, np);
 }
 
 /*!

@@ -378,8 +378,7 @@ std::size_t interpolated_corrected_curvatures(const FaceGraph& mesh,
   const internal::Interpolated_corrected_estimator estimator(samples, radius);
   const auto measured = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
   std::vector<internal::Curvature_estimate> estimates(measured.begin(), measured.end());
-  internal::mark_duplicates(samples, estimates);
-  const std::size_t failures = internal::write_to_mesh(mesh, estimates, np);
+  const std::size_t failures = internal::write_to_mesh(mesh, samples, estimates, np);
 
   std::size_t i = 0;
   for(const auto v : vertices(mesh))

@@ -254,8 +254,7 @@ std::size_t meyer_curvatures(const FaceGraph& mesh, const NamedParameters& np = 
   const internal::Meyer_estimator estimator(samples);
   const auto measured = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
   std::vector<internal::Curvature_estimate> estimates(measured.begin(), measured.end());
-  internal::mark_duplicates(samples, estimates);
-  const std::size_t failures = internal::write_to_mesh(mesh, estimates, np);
+  const std::size_t failures = internal::write_to_mesh(mesh, samples, estimates, np);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value)
   {
     std::size_t i = 0;

@@ -200,6 +200,26 @@ private:
   std::function<bool(double)> m_callback;
 };
 
+// the same with the basis function that the named parameters say
+template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>
+void for_each_hermite_rbf_fit(SampledSurface& surface,
+                              std::size_t size,
+                              const typename Hermite_rbf_fitter<ConcurrencyTag>::Output& output,
+                              const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::is_default_parameter;
+
+  const Hermite_rbf_fitter<ConcurrencyTag> fitter(np);
+  if constexpr(!is_default_parameter<NamedParameters, internal_np::radial_basis_function_t>::value)
+    fitter(surface, get_parameter(np, internal_np::radial_basis_function), size, output);
+  else if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))
+    fitter(surface, Inverse_multiquadric(), size, output);
+  else
+    fitter(surface, Matern_9_2(), size, output);
+}
+
 } // namespace internal
 
 /*!
@@ -230,20 +250,11 @@ std::vector<Result> fit_hermite_rbf(SampledSurface& surface,
                                     const Transform& transform,
                                     const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  using parameters::is_default_parameter;
-
   std::vector<Result> results(size);
-  const auto output = [&](const std::size_t i, const Local_implicit_surface& local)
-  { results[i] = transform(i, local); };
-  const internal::Hermite_rbf_fitter<ConcurrencyTag> fitter(np);
-  if constexpr(!is_default_parameter<NamedParameters, internal_np::radial_basis_function_t>::value)
-    fitter(surface, get_parameter(np, internal_np::radial_basis_function), size, output);
-  else if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))
-    fitter(surface, Inverse_multiquadric(), size, output);
-  else
-    fitter(surface, Matern_9_2(), size, output);
+  internal::for_each_hermite_rbf_fit<ConcurrencyTag>(
+      surface, size,
+      [&](const std::size_t i, const Local_implicit_surface& local) { results[i] = transform(i, local); },
+      np);
   return results;
 }
 

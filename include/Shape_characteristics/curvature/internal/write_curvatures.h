@@ -99,21 +99,6 @@ private:
   std::vector<Index> m_order; // that of the points
 };
 
-inline void mark_duplicates(const Face_graph_samples& samples, std::vector<Curvature_estimate>& estimates)
-{
-  Duplicates duplicates(samples);
-  for(std::size_t i = 0; i < estimates.size(); ++i)
-    duplicates.mark(i, estimates[i]);
-}
-
-inline std::size_t number_of_failures(const std::vector<Curvature_estimate>& estimates)
-{
-  std::size_t failures = 0;
-  for(const Curvature_estimate& estimate : estimates)
-    failures += !is_estimated(estimate.status);
-  return failures;
-}
-
 // writes what there is a map for
 template <typename Vertex, typename NamedParameters>
 void write_to_vertex(const Vertex v, const Curvature_estimate& estimate, const NamedParameters& np)
@@ -151,28 +136,38 @@ void write_to_item(Item& item, const Curvature_estimate& estimate, const NamedPa
     put(get_parameter(np, internal_np::status_map), item, estimate.status);
 }
 
-// writes what there is a map for, and returns the number of vertices without an estimate
-template <typename FaceGraph, typename NamedParameters>
+// Marks duplicates among the estimates of all vertices, writes what there is a map for, and returns the number of vertices
+// without an estimate: in one go, because reading them all takes its time.
+template <typename FaceGraph, typename Estimates, typename NamedParameters>
 std::size_t write_to_mesh(const FaceGraph& mesh,
-                          const std::vector<Curvature_estimate>& estimates,
+                          const Face_graph_samples& samples,
+                          Estimates& estimates,
                           const NamedParameters& np)
 {
-  std::size_t i = 0;
+  Duplicates duplicates(samples);
+  std::size_t failures = 0, i = 0;
   for(const auto v : vertices(mesh))
-    write_to_vertex(v, estimates[i++], np);
-  return number_of_failures(estimates);
+  {
+    Curvature_estimate& estimate = estimates[i];
+    duplicates.mark(i++, estimate);
+    failures += !is_estimated(estimate.status);
+    write_to_vertex(v, estimate, np);
+  }
+  return failures;
 }
 
-// the same with points
-template <typename PointRange, typename NamedParameters>
-std::size_t write_to_points(PointRange& points,
-                            const std::vector<Curvature_estimate>& estimates,
-                            const NamedParameters& np)
+// the same with points, of which none is marked
+template <typename PointRange, typename Estimates, typename NamedParameters>
+std::size_t write_to_points(PointRange& points, const Estimates& estimates, const NamedParameters& np)
 {
-  std::size_t i = 0;
+  std::size_t failures = 0, i = 0;
   for(auto&& item : points)
-    write_to_item(item, estimates[i++], np);
-  return number_of_failures(estimates);
+  {
+    const Curvature_estimate& estimate = estimates[i++];
+    failures += !is_estimated(estimate.status);
+    write_to_item(item, estimate, np);
+  }
+  return failures;
 }
 
 // writes what there is a reference for, and returns the status
