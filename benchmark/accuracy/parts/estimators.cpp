@@ -18,6 +18,8 @@
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
 #include <Shape_characteristics/curvature/theisel_curvatures.h>
+#include <Shape_characteristics/curvature/voxel_curvatures.h>
+#include <Shape_characteristics/curvature/voxelize.h>
 #include <Shape_characteristics/curvature/zhihong_curvatures.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
@@ -29,6 +31,7 @@
 #include <Shape_characteristics/normals/vertex_normals.h>
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <functional>
 #include <string>
@@ -52,6 +55,12 @@ std::vector<Appearance> in(const std::vector<std::string>& tables, const std::st
 std::vector<Appearance> everywhere(const std::string& column = "")
 {
   return in({"8.3", "8.4", "8.5", "8.6", "8.8", "8.9", "8.10", "8.11", "8.12", "8.13"}, column);
+}
+
+// Where surfaces are closed, or some are, and the thesis has no figure.
+std::vector<Appearance> level_sets()
+{
+  return in({"8.8", "8.9", "8.10", "8.11", "8.12", "8.13"}, "");
 }
 
 // The thesis's basis functions, under the same name: odd powers where normals are exact, the exponential of the cubed distance on
@@ -176,16 +185,38 @@ std::function<void(const Task&)> hildebrandt_polthier(unsigned int rings)
   { SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().number_of_rings(rings)); };
 }
 
+double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0.;
+  for(const auto e : mesh.edges())
+    sum += PMP::edge_length(e, mesh);
+  return sum / double(mesh.number_of_edges());
+}
+
 // The radius in mean edge lengths of the whole mesh: triangles of marching cubes differ much from vertex to vertex.
 std::function<void(const Task&)> hildebrandt_polthier_of_one_radius(double edges)
 {
   return [edges](const Task& t)
   {
-    double sum = 0.;
-    for(const auto e : t.mesh.edges())
-      sum += PMP::edge_length(e, t.mesh);
-    const double mean = sum / double(t.mesh.number_of_edges());
-    SC::hildebrandt_polthier_curvatures(t.mesh, t.parameters().neighbor_radius(edges * mean));
+    SC::hildebrandt_polthier_curvatures(t.mesh,
+                                        t.parameters().neighbor_radius(edges * mean_edge_length(t.mesh)));
+  };
+}
+
+// From voxels as large as the edges are long; only of closed surfaces.
+std::function<void(const Task&)> voxels(double edges)
+{
+  return [edges](const Task& t)
+  {
+    if(!CGAL::is_closed(t.mesh))
+      return;
+    const double size = mean_edge_length(t.mesh);
+    SC::voxel_curvatures(SC::voxelize(t.mesh, size), vertices(t.mesh),
+                         SC::parameters::point_map(t.mesh.points())
+                             .normal_map(t.normals)
+                             .principal_curvatures_and_directions_map(t.curvatures)
+                             .status_map(t.statuses)
+                             .neighbor_radius(edges * size));
   };
 }
 
@@ -316,6 +347,8 @@ const std::vector<Estimator>& estimators()
        hildebrandt_polthier_of_one_radius(2.5)},
       {"integral invariants", "2 edges", everywhere(), integral_invariant(2)},
       {"integral invariants", "4 edges", everywhere(), integral_invariant(4), Cost::HIGH},
+      {"integral invariants of voxels", "3 edges", level_sets(), voxels(3.)},
+      {"integral invariants of voxels", "4 edges", level_sets(), voxels(4.)},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
       {"jet d=2", "4 rings", everywhere(), jet(2, 4)},
       {"jet d=4", "2 rings", everywhere(), jet(4, 2)},
