@@ -142,13 +142,13 @@ double mean_error(const Mesh& mesh, const Estimates& estimates, const std::vecto
   return sum / double(number);
 }
 
-} // namespace
-
+// `is_tried(number, conditions)`: whether to try the surface in these conditions, the `number`-th in all
 void for_each_row(Purpose purpose,
                   double scale,
                   std::uint64_t seed,
                   const std::string& only,
                   const Measurements& measurements,
+                  const std::function<bool(std::size_t, const Conditions&)>& is_tried,
                   const std::function<void(Row&)>& report)
 {
   std::size_t number = 0;
@@ -163,9 +163,7 @@ void for_each_row(Purpose purpose,
       exact.push_back(surface.exact(p));
     for(const Conditions& c : conditions(surface, purpose))
     {
-      // there are many surfaces: half of the conditions on each are enough
-      const bool is_left_out = purpose == Purpose::CALIBRATION && ++number % 2 == 0;
-      if(is_left_out && (c.point_noise > 0. || c.normal_noise > 0.))
+      if(!is_tried(++number, c))
         continue;
       Triangle_arrays arrays = clean;
       if(c.point_noise > 0.)
@@ -194,6 +192,32 @@ void for_each_row(Purpose purpose,
       report(row);
     }
   }
+}
+
+} // namespace
+
+void for_each_row(Purpose purpose,
+                  double scale,
+                  std::uint64_t seed,
+                  const std::string& only,
+                  const Measurements& measurements,
+                  const std::function<void(Row&)>& report)
+{
+  if(purpose != Purpose::CALIBRATION)
+  {
+    const auto all = [](std::size_t, const Conditions&) { return true; };
+    for_each_row(purpose, scale, seed, only, measurements, all, report);
+    return;
+  }
+  // There are many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
+  // look otherwise.
+  constexpr double coarse = .3;
+  for(const bool is_coarse : {false, true})
+    for_each_row(
+        purpose, is_coarse ? coarse * scale : scale, seed, only, measurements,
+        [is_coarse](const std::size_t number, const Conditions& c)
+        { return (number % 2 == 0) == is_coarse || (c.point_noise == 0. && c.normal_noise == 0.); },
+        report);
 }
 
 } // namespace adaptive

@@ -1,5 +1,8 @@
 #include "Score_learner.h"
 
+#include <CGAL/for_each.h>
+#include <CGAL/tags.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -7,6 +10,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <ostream>
 #include <sstream>
 #include <utility>
@@ -17,48 +21,23 @@ namespace {
 constexpr auto features = Eigen::Index(number_of_statistics + 1); // the constant, and all statistics
 constexpr auto candidates = Eigen::Index(number_of_candidates);
 
-constexpr std::array<const char*, number_of_statistics> statistic_names = {"EXACT_2_ANGLES",
-                                                                           "EXACT_3_ANGLES",
-                                                                           "POINTS_2_ANGLES",
-                                                                           "POINTS_3_ANGLES",
-                                                                           "POINTS_4_ANGLES",
-                                                                           "NORMALS_3_ANGLES",
-                                                                           "SMOOTHED_3_ANGLES",
-                                                                           "SMOOTHED_4_ANGLES",
-                                                                           "GENTLY_4_ANGLES",
-                                                                           "BARELY_4_ANGLES",
-                                                                           "EXACT_2_TURNS",
-                                                                           "EXACT_3_TURNS",
-                                                                           "POINTS_2_TURNS",
-                                                                           "POINTS_3_TURNS",
-                                                                           "POINTS_4_TURNS",
-                                                                           "NORMALS_3_TURNS",
-                                                                           "SMOOTHED_3_TURNS",
-                                                                           "SMOOTHED_4_TURNS",
-                                                                           "GENTLY_4_TURNS",
-                                                                           "BARELY_4_TURNS",
-                                                                           "EXACT_2_EXACT_3",
-                                                                           "POINTS_2_POINTS_3",
-                                                                           "POINTS_3_POINTS_4",
-                                                                           "EXACT_3_POINTS_3",
-                                                                           "EXACT_3_NORMALS_3",
-                                                                           "POINTS_3_NORMALS_3",
-                                                                           "POINTS_3_SMOOTHED_3",
-                                                                           "POINTS_4_SMOOTHED_4",
-                                                                           "NORMALS_3_SMOOTHED_3",
-                                                                           "SMOOTHED_3_SMOOTHED_4",
-                                                                           "SMOOTHED_3_GENTLY_4",
-                                                                           "SMOOTHED_4_GENTLY_4",
-                                                                           "GENTLY_4_BARELY_4",
-                                                                           "POINTS_4_BARELY_4",
-                                                                           "POINTS_3_NORMALS",
-                                                                           "SMOOTHED_3_NORMALS",
-                                                                           "POINTS_3_BEND",
-                                                                           "SMOOTHED_3_BEND",
-                                                                           "SMOOTHED_3_MOVES",
-                                                                           "SMOOTHED_3_DRIFT",
-                                                                           "NOISE",
-                                                                           "IRREGULARITY"};
+constexpr std::array<const char*, number_of_statistics> statistic_names = {
+    "EXACT_2_ANGLES",        "EXACT_3_ANGLES",      "POINTS_2_ANGLES",
+    "POINTS_3_ANGLES",       "POINTS_4_ANGLES",     "NORMALS_2_ANGLES",
+    "NORMALS_3_ANGLES",      "SMOOTHED_3_ANGLES",   "SMOOTHED_4_ANGLES",
+    "GENTLY_4_ANGLES",       "BARELY_4_ANGLES",     "EXACT_2_TURNS",
+    "EXACT_3_TURNS",         "POINTS_2_TURNS",      "POINTS_3_TURNS",
+    "POINTS_4_TURNS",        "NORMALS_2_TURNS",     "NORMALS_3_TURNS",
+    "SMOOTHED_3_TURNS",      "SMOOTHED_4_TURNS",    "GENTLY_4_TURNS",
+    "BARELY_4_TURNS",        "EXACT_2_EXACT_3",     "POINTS_2_POINTS_3",
+    "POINTS_3_POINTS_4",     "EXACT_3_POINTS_3",    "EXACT_2_NORMALS_2",
+    "NORMALS_2_NORMALS_3",   "EXACT_3_NORMALS_3",   "POINTS_3_NORMALS_3",
+    "POINTS_3_SMOOTHED_3",   "POINTS_4_SMOOTHED_4", "NORMALS_3_SMOOTHED_3",
+    "SMOOTHED_3_SMOOTHED_4", "SMOOTHED_3_GENTLY_4", "SMOOTHED_4_GENTLY_4",
+    "GENTLY_4_BARELY_4",     "POINTS_4_BARELY_4",   "POINTS_3_NORMALS",
+    "SMOOTHED_3_NORMALS",    "POINTS_3_BEND",       "SMOOTHED_3_BEND",
+    "SMOOTHED_3_MOVES",      "SMOOTHED_3_DRIFT",    "NOISE",
+    "IRREGULARITY"};
 
 float exactness_of(const std::array<float, number_of_statistics>& s)
 {
@@ -79,8 +58,9 @@ struct Data
 };
 
 /*
-  Minimizes, over the weights, the mean of the logarithms of the rows' errors, if at each vertex the candidates are blended
-  in proportion to exp(-score): by gradients (Adam's method), for all rows but those of a part.
+  Minimizes, over the weights, the mean of the logarithms of the rows' errors, and of the squares of what they exceed that of
+  the row's best candidate by, if at each vertex the candidates are blended in proportion to exp(-score): by gradients (Adam's
+  method), for all rows but those of a part.
 */
 class Learner
 {
@@ -134,10 +114,7 @@ public:
     double rate = .1, mean_share = 1., square_share = 1.;
     for(int step = 0; step < steps; ++step)
     {
-      Matrix gradient = shrinkage * weights;
-      for(const Data& data : m_data)
-        if(data.part != left_out)
-          add_gradient(data, weights, 1. / double(number), gradient);
+      const Matrix gradient = shrinkage * weights + sum_of_gradients(left_out, weights) / double(number);
       mean = .9 * mean + .1 * gradient;
       square = .99 * square + .01 * gradient.cwiseAbs2();
       mean_share *= .9;
@@ -190,7 +167,26 @@ private:
                             .eval();
   }
 
-  static void add_gradient(const Data& data, const Matrix& weights, double factor, Matrix& gradient)
+  // the sum over the rows, in the same order for any number of threads
+  Matrix sum_of_gradients(std::size_t left_out, const Matrix& weights) const
+  {
+    constexpr std::size_t number = 16;
+    std::vector<std::size_t> chunks(number);
+    std::iota(chunks.begin(), chunks.end(), std::size_t(0));
+    std::vector<Matrix> sums(number, Matrix::Zero(features, candidates));
+    CGAL::for_each<CGAL::Parallel_if_available_tag>(chunks,
+                                                    [&](const std::size_t chunk)
+                                                    {
+                                                      for(std::size_t r = chunk; r < m_data.size();
+                                                          r += number)
+                                                        if(m_data[r].part != left_out)
+                                                          add_gradient(m_data[r], weights, sums[chunk]);
+                                                      return true;
+                                                    });
+    return std::accumulate(sums.begin(), sums.end(), Matrix(Matrix::Zero(features, candidates)));
+  }
+
+  static void add_gradient(const Data& data, const Matrix& weights, Matrix& gradient)
   {
     Matrix shares = -data.statistics * weights - data.penalties;
     const Eigen::VectorXd largest = shares.rowwise().maxCoeff();
@@ -207,7 +203,10 @@ private:
                                  .matrix();
     const Eigen::VectorXd means = shares.cwiseProduct(of_shares).rowwise().sum();
     const Matrix of_scores = -shares.cwiseProduct(of_shares.colwise() - means);
-    gradient += factor / error * data.statistics.transpose() * of_scores;
+    // as a logarithm, and what is borne of it
+    constexpr double borne = .05;
+    const double excess = (std::max)(std::log(error / double(shares.rows())) - borne, 0.);
+    gradient += (1. + 2. * excess) / error * data.statistics.transpose() * of_scores;
   }
 
   // mean over the rows of the logarithm of the excess, if EXACT_3_RINGS was chosen there, and else what is best for the row

@@ -218,7 +218,7 @@ std::vector<Surface> calibration(double scale)
                   { return d.x * x + d.y * y + d.z * z + waves(x, y, z); });
   }
   // and rounded boxes: on their sides, what marching cubes interpolate wrongly varies slowly
-  for(int k = 0; k < 6; ++k)
+  for(int k = 0; k < 10; ++k)
   {
     const double a = random.uniform(.7, 1.6), b = random.uniform(.7, 1.6), c = random.uniform(.7, 1.6),
                  twist = random.uniform(-.2, .2);
@@ -228,6 +228,32 @@ std::vector<Surface> calibration(double scale)
                     const Number xx = square(x + twist * z), yy = square(y - twist * x), zz = square(z);
                     return k % 2 == 0 ? a * xx * xx + b * yy * yy + c * zz * zz - 1.
                                       : a * xx * xx + b * yy * yy * yy + c * zz - 1.;
+                  });
+  }
+  // and balls that have flowed into one another: necks and holes
+  for(int k = 0; k < 6; ++k)
+  {
+    struct Ball
+    {
+      Vector center;
+      double width;
+    };
+    std::vector<Ball> balls(std::size_t(4 + k));
+    for(Ball& ball : balls)
+    {
+      for(std::size_t i = 0; i < 3; ++i)
+        ball.center[i] = random.uniform(-1., 1.);
+      ball.width = random.uniform(.4, .7);
+    }
+    add_level_set(list, "blobs " + std::to_string(k), 2., m,
+                  [balls](const Number& x, const Number& y, const Number& z)
+                  {
+                    Number sum(.5);
+                    for(const Ball& ball : balls)
+                      sum = sum - exp(-1. / (ball.width * ball.width) *
+                                      (square(x - ball.center.x) + square(y - ball.center.y) +
+                                       square(z - ball.center.z)));
+                    return sum;
                   });
   }
   return list;

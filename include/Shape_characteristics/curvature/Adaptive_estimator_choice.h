@@ -13,8 +13,10 @@ enum class Adaptive_estimator_choice : unsigned char
   POINTS_2_RINGS, ///< points are exact, normals are weak evidence; two rings
   POINTS_3_RINGS, ///< points are exact, normals are weak evidence; three rings
   POINTS_4_RINGS, ///< points are exact and the surface is smooth, normals are weak evidence; four rings (60 neighbors)
+  NORMALS_2_RINGS, ///< points are noisy, normals are trusted; two rings
   NORMALS_3_RINGS, ///< points are noisy, normals are trusted; three rings
-  SMOOTHED_3_RINGS, ///< points and normals are a little noisy, and are smoothed twice before the fit; three rings
+  SMOOTHED_3_RINGS, ///< as `hrbf_curvatures()` by default: points and normals are as noisy as they seem to be, and are smoothed
+                    ///< before the fit; three rings
   SMOOTHED_4_RINGS, ///< points and normals are noisy (by .002 of the neighbors' distance at least), and are smoothed twice
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
@@ -38,6 +40,8 @@ constexpr const char* to_string(Adaptive_estimator_choice choice) noexcept
     return "POINTS_3_RINGS";
   case Adaptive_estimator_choice::POINTS_4_RINGS:
     return "POINTS_4_RINGS";
+  case Adaptive_estimator_choice::NORMALS_2_RINGS:
+    return "NORMALS_2_RINGS";
   case Adaptive_estimator_choice::NORMALS_3_RINGS:
     return "NORMALS_3_RINGS";
   case Adaptive_estimator_choice::SMOOTHED_3_RINGS:

@@ -96,7 +96,7 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
   Complexity: linear in the number of vertices. Where normals are exact beyond doubt everywhere, two fits are made at each
-  vertex, else up to sixteen, half of them over four rings: milliseconds a vertex on one processor.
+  vertex, else up to seventeen, half of them over four rings: milliseconds a vertex on one processor.
 
   \cgalExample{curvature/adaptive_curvatures.cpp}
 */

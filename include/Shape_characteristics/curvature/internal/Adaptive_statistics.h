@@ -58,6 +58,7 @@ enum class Adaptive_statistic : unsigned char
   POINTS_2_ANGLES,
   POINTS_3_ANGLES,
   POINTS_4_ANGLES,
+  NORMALS_2_ANGLES,
   NORMALS_3_ANGLES,
   SMOOTHED_3_ANGLES,
   SMOOTHED_4_ANGLES,
@@ -69,6 +70,7 @@ enum class Adaptive_statistic : unsigned char
   POINTS_2_TURNS,
   POINTS_3_TURNS,
   POINTS_4_TURNS,
+  NORMALS_2_TURNS,
   NORMALS_3_TURNS,
   SMOOTHED_3_TURNS,
   SMOOTHED_4_TURNS,
@@ -79,6 +81,8 @@ enum class Adaptive_statistic : unsigned char
   POINTS_2_POINTS_3,
   POINTS_3_POINTS_4,
   EXACT_3_POINTS_3,
+  EXACT_2_NORMALS_2,
+  NORMALS_2_NORMALS_3,
   EXACT_3_NORMALS_3,
   POINTS_3_NORMALS_3,
   POINTS_3_SMOOTHED_3,
@@ -178,11 +182,14 @@ public:
         field = fit(4, parameters::noise_level(0.).number_of_passes(1u).radial_basis_function(
                            Inverse_multiquadric()));
         break;
+      case Choice::NORMALS_2_RINGS:
+        field = fit_inexact(2, noise_level(), trusted_normal_noise, 1);
+        break;
       case Choice::NORMALS_3_RINGS:
         field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
         break;
       case Choice::SMOOTHED_3_RINGS:
-        field = fit_inexact(3, noise_level(.1), default_normal_noise(), smoothing_passes);
+        field = fit(3, parameters::radial_basis_function(Matern_9_2())); // as hrbf_curvatures() would
         break;
       case Choice::SMOOTHED_4_RINGS:
         field = fit_inexact(4, (std::max)(noise_level(), least_smoothed_level), default_normal_noise(),
@@ -294,6 +301,10 @@ private:
       return differences(Choice::POINTS_3_RINGS, Choice::POINTS_4_RINGS);
     case Name::EXACT_3_POINTS_3:
       return differences(Choice::EXACT_3_RINGS, Choice::POINTS_3_RINGS);
+    case Name::EXACT_2_NORMALS_2:
+      return differences(Choice::EXACT_2_RINGS, Choice::NORMALS_2_RINGS);
+    case Name::NORMALS_2_NORMALS_3:
+      return differences(Choice::NORMALS_2_RINGS, Choice::NORMALS_3_RINGS);
     case Name::EXACT_3_NORMALS_3:
       return differences(Choice::EXACT_3_RINGS, Choice::NORMALS_3_RINGS);
     case Name::POINTS_3_NORMALS_3:
