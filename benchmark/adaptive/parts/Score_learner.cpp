@@ -203,8 +203,7 @@ private:
                                  .matrix();
     const Eigen::VectorXd means = shares.cwiseProduct(of_shares).rowwise().sum();
     const Matrix of_scores = -shares.cwiseProduct(of_shares.colwise() - means);
-    // as a logarithm, and what is borne of it
-    constexpr double borne = .05;
+    constexpr double borne = .05; // of what the row's error exceeds that of its best candidate by, as a logarithm
     const double excess = (std::max)(std::log(error / double(shares.rows())) - borne, 0.);
     gradient += (1. + 2. * excess) / error * data.statistics.transpose() * of_scores;
   }
