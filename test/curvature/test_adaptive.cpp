@@ -262,6 +262,7 @@ BOOST_AUTO_TEST_CASE(blend)
       BOOST_TEST_MESSAGE("mean error " << error << ", of the largest weight " << error_of_largest_weight
                                        << ", of HRBF " << error_of_hrbf << ", told the noise "
                                        << error_of_told);
+      BOOST_TEST(error < (&s == &surfaces().front() ? .9 : .95) * error_of_hrbf);
       of_largest_weight += std::log(error / error_of_largest_weight);
       of_hrbf += std::log(error / error_of_hrbf);
       of_told += std::log(error / error_of_told);

@@ -51,16 +51,24 @@ std::vector<Appearance> in(const std::vector<std::string>& tables, const std::st
   return result;
 }
 
+const std::vector<std::string>& level_set_tables()
+{
+  static const std::vector<std::string> list = {"8.8", "8.9", "8.10", "8.11", "8.12", "8.13"};
+  return list;
+}
+
 // In all tables that compare estimators, under the same name.
 std::vector<Appearance> everywhere(const std::string& column = "")
 {
-  return in({"8.3", "8.4", "8.5", "8.6", "8.8", "8.9", "8.10", "8.11", "8.12", "8.13"}, column);
+  std::vector<std::string> tables = {"8.3", "8.4", "8.5", "8.6"};
+  tables.insert(tables.end(), level_set_tables().begin(), level_set_tables().end());
+  return in(tables, column);
 }
 
-// Where surfaces are closed, or some are, and the thesis has no figure.
-std::vector<Appearance> level_sets()
+// In those of level sets, of which some are closed; the thesis has no figure.
+std::vector<Appearance> on_level_sets()
 {
-  return in({"8.8", "8.9", "8.10", "8.11", "8.12", "8.13"}, "");
+  return in(level_set_tables(), "");
 }
 
 // The thesis's basis functions, under the same name: odd powers where normals are exact, the exponential of the cubed distance on
@@ -347,8 +355,8 @@ const std::vector<Estimator>& estimators()
        hildebrandt_polthier_of_one_radius(2.5)},
       {"integral invariants", "2 edges", everywhere(), integral_invariant(2)},
       {"integral invariants", "4 edges", everywhere(), integral_invariant(4), Cost::HIGH},
-      {"integral invariants of voxels", "3 edges", level_sets(), voxels(3.)},
-      {"integral invariants of voxels", "4 edges", level_sets(), voxels(4.)},
+      {"integral invariants of voxels", "3 edges", on_level_sets(), voxels(3.)},
+      {"integral invariants of voxels", "4 edges", on_level_sets(), voxels(4.)},
       {"jet d=2", "2 rings", everywhere(), jet(2, 2)},
       {"jet d=2", "4 rings", everywhere(), jet(2, 4)},
       {"jet d=4", "2 rings", everywhere(), jet(4, 2)},
