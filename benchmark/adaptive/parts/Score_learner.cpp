@@ -203,7 +203,8 @@ private:
                                  .matrix();
     const Eigen::VectorXd means = shares.cwiseProduct(of_shares).rowwise().sum();
     const Matrix of_scores = -shares.cwiseProduct(of_shares.colwise() - means);
-    constexpr double borne = .05; // of what the row's error exceeds that of its best candidate by, as a logarithm
+    // of what the row's error exceeds that of its best candidate by, as a logarithm
+    constexpr double borne = .05;
     const double excess = (std::max)(std::log(error / double(shares.rows())) - borne, 0.);
     gradient += (1. + 2. * excess) / error * data.statistics.transpose() * of_scores;
   }
