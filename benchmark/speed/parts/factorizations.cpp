@@ -95,13 +95,12 @@ void fill(SC::internal::Hermite_batch& batch)
     {
       const double x = i == 0 ? 0. : random.uniform(-.4, .4), y = i == 0 ? 0. : random.uniform(-.4, .4);
       const Eigen::Vector3d normal = Eigen::Vector3d(-x, -y, 1.).normalized();
-      const Eigen::Vector3d tangent = normal.cross(Eigen::Vector3d::UnitY()).normalized();
       set(batch.points, 3 * i, lane, Eigen::Vector3d(x, y, .5 * (x * x + y * y)));
-      set(batch.directions, 6 * i, lane, tangent);
-      set(batch.directions, 6 * i + 3, lane, normal.cross(tangent));
+      set(batch.normals, 3 * i, lane, normal);
     }
     set(batch.trend, 0, lane, Eigen::Vector3d::UnitZ());
     batch.set(batch.count, 0, lane, double(batch.centers()));
+    batch.set(batch.unit, 0, lane, .2);
     batch.set(batch.value_noise, 0, lane, 1e-12);
     batch.set(batch.derivative_noise, 0, lane, 1e-12);
   }

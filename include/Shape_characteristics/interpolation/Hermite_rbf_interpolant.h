@@ -2,7 +2,9 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_HERMITE_RBF_INTERPOLANT_H
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
 #include <Shape_characteristics/interpolation/internal/interpolation_data.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -127,7 +129,7 @@ public:
 private:
   void solve(const Eigen::Matrix3Xd& centers, const Eigen::Matrix3Xd& directions)
   {
-    m_system.clear(m_basis_function, Eigen::Vector3d::Zero());
+    m_system.clear(m_basis_function, internal::Hermite_trend());
     const std::array<Eigen::Vector3d, 3> axes{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
                                               Eigen::Vector3d::UnitZ()};
     for(Eigen::Index i = 0; i < centers.cols(); ++i)

@@ -6,8 +6,11 @@
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Shape_parameter_box.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
 #include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/interpolation/internal/trend_of_exact_fit.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -155,9 +158,10 @@ private:
   Estimation_status prepare(std::size_t i, Workspace& workspace) const
   {
     const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
-    const std::size_t limit = RadialBasisFunction::is_positive_definite
-                                  ? internal::largest_neighborhood(m_surface.neighborhood())
-                                  : (std::numeric_limits<std::size_t>::max)();
+    const std::size_t limit =
+        RadialBasisFunction::is_positive_definite
+            ? internal::largest_neighborhood(m_surface.neighborhood(), m_options.normals_are_exact)
+            : (std::numeric_limits<std::size_t>::max)();
     const Estimation_status status = workspace.neighborhood.collect(m_surface, i, workspace.surface, limit);
     if constexpr(std::is_same_v<RadialBasisFunction, Exponential_cubic>)
     {
@@ -189,7 +193,9 @@ private:
   {
     const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
     const Vector& normal = neighborhood.normals[0];
-    workspace.system.clear(basis_function(neighborhood.points.size()), normal);
+    const double unit = internal::shape_parameter_of_fit(m_phi, neighborhood.points.size(), true);
+    workspace.system.clear(basis_function(neighborhood.points.size()),
+                           internal::trend_of_exact_fit(neighborhood, unit));
     for(std::size_t k = 0; k < neighborhood.points.size(); ++k)
     {
       Vector t1, t2;
@@ -217,7 +223,7 @@ private:
   {
     const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
     workspace.system.clear(basis_function(neighborhood.points.size()),
-                           internal::trend_of_noisy_fit(neighborhood.normals));
+                           internal::Hermite_trend(internal::trend_of_noisy_fit(neighborhood.normals)));
     add_gradients(workspace);
   }
 
@@ -265,7 +271,7 @@ private:
   bool fit_indefinite(Workspace& workspace, internal::Hermite_jet& jet) const
   {
     const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
-    workspace.system.clear(thesis_basis_function(workspace), Vector::Zero());
+    workspace.system.clear(thesis_basis_function(workspace), internal::Hermite_trend());
     add_gradients(workspace);
     if(!workspace.system.solve_indefinite())
       return false;

@@ -2,7 +2,6 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H
 
 #include <Shape_characteristics/Estimation_status.h>
-#include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
@@ -206,8 +205,12 @@ public:
 private:
   // Samples that are served by the fit of another, as well as by one of their own: near its center (in units of the
   // neighborhood's size), where the surface bends little. The next center is sought farther away.
-  static constexpr double s_served_distance = 0.75, s_rim = 1.25;
-  static constexpr double s_served_cosine = 0.97;      // of the angle between their normals
+  struct Reach
+  {
+    double served, rim;
+    double cosine; // of the angle between their normals
+  };
+  static constexpr Reach s_reach_of_exact_fit{1.2, 1.4, 0.955}, s_reach_of_noisy_fit{0.75, 1.25, 0.97};
   static constexpr double s_served_curvature = 2.;     // largest there, in units of the inverse size
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
@@ -237,6 +240,7 @@ private:
     if(sum.norm() > s_imbalance * double(neighborhood.points.size()))
       return;
     const auto number = Index(workspace.m_tasks.size() - 1);
+    const Reach reach = m_options.normals_are_exact ? s_reach_of_exact_fit : s_reach_of_noisy_fit;
     for(std::size_t n = 1; n < neighborhood.samples.size(); ++n)
     {
       const Index j = neighborhood.samples[n];
@@ -244,14 +248,14 @@ private:
       if(nearest == nullptr)
         continue;
       const double squared_distance = neighborhood.points[n].squaredNorm();
-      if(squared_distance < s_served_distance * s_served_distance &&
-         neighborhood.normals[n].dot(neighborhood.normals[0]) > s_served_cosine)
+      if(squared_distance < reach.served * reach.served &&
+         neighborhood.normals[n].dot(neighborhood.normals[0]) > reach.cosine)
       {
         is_served[j] = 1;
         if(squared_distance < nearest->squared_distance)
           *nearest = {squared_distance, number, Index(n)};
       }
-      else if(squared_distance > s_rim * s_rim && !is_served[j])
+      else if(squared_distance > reach.rim * reach.rim && !is_served[j])
         workspace.m_rim.push_back(j);
     }
   }
@@ -288,8 +292,9 @@ private:
   bool add_task(Index i, Workspace& workspace, std::vector<Task>& tasks, const Output& output) const
   {
     Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
-    const Estimation_status status = neighborhood.collect(m_surface, i, workspace.m_surface,
-                                                          largest_neighborhood(m_surface.neighborhood()));
+    const Estimation_status status =
+        neighborhood.collect(m_surface, i, workspace.m_surface,
+                             largest_neighborhood(m_surface.neighborhood(), m_options.normals_are_exact));
     if(!is_estimated(status))
     {
       output(i, failure(status));
@@ -396,20 +401,13 @@ private:
     {
       const std::size_t point = k < task.number_of_points ? k : 0;
       batch.set_vector(batch.points, 3 * k, lane, unit * points[point]);
-      if(batch.equations() == Hermite_equations::TANGENTS)
-      {
-        Vector t1, t2;
-        tangent_basis(normals[point], t1, t2);
-        batch.set_vector(batch.directions, 6 * k, lane, t1);
-        batch.set_vector(batch.directions, 6 * k + 3, lane, t2);
-      }
-      else
-        batch.set_vector(batch.directions, 3 * k, lane, normals[point]);
+      batch.set_vector(batch.normals, 3 * k, lane, normals[point]);
     }
     const bool is_exact = m_options.normals_are_exact;
     const double value_variance = is_exact ? task.exact.value_variance() : task.noisy.value_variance();
     batch.set_vector(batch.trend, 0, lane, task.trend);
     batch.set_count(lane, task.number_of_points);
+    batch.set(batch.unit, 0, lane, unit);
     batch.set(batch.value_noise, 0, lane, unit * unit * value_variance);
     batch.set(batch.derivative_noise, 0, lane,
               is_exact ? task.exact.derivative_variance() : task.noisy.derivative_variance());

@@ -1,8 +1,9 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
 
+#include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
-#include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 
 #include <Eigen/Core>
 
@@ -44,15 +45,15 @@ public:
     m_equations = equations;
     number_of_equations = equations == Hermite_equations::TANGENTS ? 3 * max_centers + 1 : 4 * max_centers;
     panels = (number_of_equations + 3) / 4;
-    const std::size_t direction_size = equations == Hermite_equations::TANGENTS ? 6 : 3;
-    const std::array<std::size_t, 8> sizes = {3 * max_centers,              // points
-                                              direction_size * max_centers, // directions
-                                              3,                            // trend
-                                              3,                            // counts, noise
-                                              4 * panels,                   // solution
-                                              4 * max_centers,              // weights
-                                              3 + s_jet,                    // evaluation
-                                              8 * panels * (panels + 1)};   // matrix
+    const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 6 * max_centers : 0;
+    const std::array<std::size_t, 8> sizes = {6 * max_centers, // points, normals
+                                              tangents_size,
+                                              3 + Height_polynomial<double>::size, // trend, bend
+                                              4,                                   // counts, noise, unit
+                                              4 * panels,                          // solution
+                                              4 * max_centers,                     // weights
+                                              3 + s_jet,                           // evaluation
+                                              8 * panels * (panels + 1)};          // matrix
     std::size_t size = 0;
     for(const std::size_t s : sizes)
       size += s * lanes;
@@ -66,11 +67,14 @@ public:
       return result;
     };
     points = next(0);
-    directions = next(1);
+    normals = points + 3 * max_centers * lanes;
+    tangents = next(1);
     trend = next(2);
+    bend = trend + 3 * lanes;
     count = next(3);
     value_noise = count + lanes;
     derivative_noise = value_noise + lanes;
+    unit = derivative_noise + lanes;
     solution = next(4);
     weights = next(5);
     where = next(6);
@@ -135,11 +139,14 @@ public:
   bool wants_log_likelihood = false;
   std::size_t smallest_count = 0; // centers that no lane lacks
   double* points = nullptr;       // 3 numbers for each center
-  double* directions = nullptr;   // of TANGENTS both tangents, else the normal
+  double* normals = nullptr;      // 3 numbers for each center
+  double* tangents = nullptr;     // of TANGENTS: 6 numbers for each center, found from the normals
   double* trend = nullptr;        // 3 numbers; of TANGENTS also the normal of the first center
+  double* bend = nullptr;         // of TANGENTS: Height_polynomial over the tangents of the first center
   double* count = nullptr;        // number of centers
   double* value_noise = nullptr;  // variances, added to the diagonal
   double* derivative_noise = nullptr;
+  double* unit = nullptr; // root mean square distance of the points from the first
   double* solution = nullptr;
   double* weights = nullptr; // of the basis function and its gradient: 4 numbers for each center
   double* where = nullptr;   // point to evaluate at

@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
 
+#include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
+#include <Shape_characteristics/interpolation/internal/Height_polynomial_fit.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
 #include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
@@ -28,7 +30,11 @@ public:
   [[gnu::always_inline]] static void assemble(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
     if(batch.equations() == Hermite_equations::TANGENTS)
+    {
+      find_tangents(batch);
+      bend_trend(batch);
       assemble_tangents(batch, Basis_function(phi));
+    }
     else
       assemble_gradients(batch, Basis_function(phi));
   }
@@ -79,6 +85,34 @@ public:
         xy += dx * ey + dy * ex;
         xz += dx * ez + dz * ex;
         yz += dy * ez + dz * ey;
+      }
+    }
+    if(batch.equations() == Hermite_equations::TANGENTS)
+    {
+      const Bent_trend bent(batch);
+      V a, b, h, ha, hb;
+      bent.project(x, y, z, a, b);
+      bent.height.value(a, b, h);
+      bent.height.gradient(a, b, ha, hb);
+      value -= h;
+      const V* const u = bent.u;
+      const V* const v = bent.v;
+      gx -= ha * u[0] + hb * v[0];
+      gy -= ha * u[1] + hb * v[1];
+      gz -= ha * u[2] + hb * v[2];
+      if constexpr(with_hessian)
+      {
+        V haa, hab, hbb;
+        bent.height.hessian(a, b, haa, hab, hbb);
+        // the images of u and v
+        const V px = haa * u[0] + hab * v[0], py = haa * u[1] + hab * v[1], pz = haa * u[2] + hab * v[2];
+        const V qx = hab * u[0] + hbb * v[0], qy = hab * u[1] + hbb * v[1], qz = hab * u[2] + hbb * v[2];
+        xx -= px * u[0] + qx * v[0];
+        yy -= py * u[1] + qy * v[1];
+        zz -= pz * u[2] + qz * v[2];
+        xy -= 2. * (px * u[1] + qx * v[1]);
+        xz -= 2. * (px * u[2] + qx * v[2]);
+        yz -= 2. * (py * u[2] + qy * v[2]);
       }
     }
     V* const jet = vectors(batch.jet);
@@ -178,13 +212,118 @@ private:
     }
   }
 
+  // the trend of exact fits, w . x - h(u . x, v . x): a plane, bent by a polynomial
+  struct Bent_trend
+  {
+    [[gnu::always_inline]] explicit Bent_trend(const Hermite_batch& batch)
+      : u(vectors(batch.tangents)),
+        v(u + 3),
+        w(vectors(batch.trend))
+    {
+      const V* const coefficients = vectors(batch.bend);
+      for(std::size_t k = 0; k < height.size; ++k)
+        height.c[k] = coefficients[k];
+    }
+
+    [[gnu::always_inline]] void project(const V& x, const V& y, const V& z, V& a, V& b) const
+    {
+      a = u[0] * x + u[1] * y + u[2] * z;
+      b = v[0] * x + v[1] * y + v[2] * z;
+    }
+
+    [[gnu::always_inline]] void gradient(const V& a, const V& b, V& gx, V& gy, V& gz) const
+    {
+      V ha, hb;
+      height.gradient(a, b, ha, hb);
+      gx = w[0] - ha * u[0] - hb * v[0];
+      gy = w[1] - ha * u[1] - hb * v[1];
+      gz = w[2] - ha * u[2] - hb * v[2];
+    }
+
+    const V *u, *v, *w;
+    Height_polynomial<V> height;
+  };
+
+  // tangent_basis() of each normal
+  [[gnu::always_inline]] static void find_tangents(Hermite_batch& batch)
+  {
+    V* const tangents = vectors(batch.tangents);
+    V one;
+    set_lanes(one, 1.);
+    for(std::size_t i = 0; i < batch.centers(); ++i)
+    {
+      const V* const normal = vectors(batch.normals) + 3 * i;
+      const V x = normal[0], y = normal[1], z = normal[2];
+      const V x_or_y = y != 0. ? y : x;
+      const V decisive = z != 0. ? z : x_or_y;
+      const V sign = decisive < 0. ? -one : one;
+      const V a = -1. / (sign + z), b = x * y * a;
+      V* const t = tangents + 6 * i;
+      t[0] = 1. + sign * x * x * a;
+      t[1] = sign * b;
+      t[2] = -sign * x;
+      t[3] = b;
+      t[4] = sign + y * y * a;
+      t[5] = -y;
+    }
+  }
+
+  // trend_of_exact_fit()
+  [[gnu::always_inline]] static void bend_trend(Hermite_batch& batch)
+  {
+    const V* const points = vectors(batch.points);
+    const V* const normals = vectors(batch.normals);
+    const V* const tangents = vectors(batch.tangents);
+    const V& unit = *vectors(batch.unit);
+    const V inverse = 1. / unit;
+    Bent_trend bent(batch);
+    Height_polynomial_fit<V> fit;
+    for(std::size_t i = 1; i < batch.centers(); ++i)
+    {
+      const V x = points[3 * i] * inverse, y = points[3 * i + 1] * inverse, z = points[3 * i + 2] * inverse;
+      const V nx = normals[3 * i], ny = normals[3 * i + 1], nz = normals[3 * i + 2];
+      V a, b, na, nb;
+      bent.project(x, y, z, a, b);
+      bent.project(nx, ny, nz, na, nb);
+      const V* const w = bent.w;
+      fit.add(a, b, w[0] * x + w[1] * y + w[2] * z, na, nb, w[0] * nx + w[1] * ny + w[2] * nz);
+    }
+    fit.solve(unit, bent.height);
+    bent.height.magnify(inverse);
+
+    V square{};
+    for(std::size_t i = 1; i < batch.centers(); ++i)
+    {
+      V a, b, gx, gy, gz;
+      bent.project(points[3 * i], points[3 * i + 1], points[3 * i + 2], a, b);
+      bent.gradient(a, b, gx, gy, gz);
+      const V* const s = tangents + 6 * i;
+      const V* const t = s + 3;
+      const V gs = gx * s[0] + gy * s[1] + gz * s[2], gt = gx * t[0] + gy * t[1] + gz * t[2];
+      square += gs * gs + gt * gt;
+    }
+    const V& count = *vectors(batch.count);
+    const V remainder = Height_polynomial_fit<V>::usual_remainder * (unit * unit * unit);
+    const V excess = square / (2. * (count - 1.) * remainder * remainder);
+    V one, zero{};
+    set_lanes(one, 1.);
+    const V falling = (4. - excess) / 3.;
+    const V part = falling > 1. ? one : falling;
+    V* const coefficients = vectors(batch.bend);
+    for(std::size_t k = 0; k < bent.height.size; ++k)
+    {
+      const V coefficient = part * bent.height.c[k];
+      coefficients[k] = part > 0. ? coefficient : zero;
+    }
+  }
+
   [[gnu::always_inline]] static void assemble_gradients(Hermite_batch& batch,
                                                         const Basis_function& basis_function)
   {
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
     const V* const points = vectors(batch.points);
-    const V* const normals = vectors(batch.directions);
+    const V* const normals = vectors(batch.normals);
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
     const V tx = trend[0], ty = trend[1], tz = trend[2];
@@ -239,10 +378,11 @@ private:
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
     const V* const points = vectors(batch.points);
-    const V* const tangents = vectors(batch.directions);
+    const V* const tangents = vectors(batch.tangents);
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
     const V tx = trend[0], ty = trend[1], tz = trend[2];
+    const Bent_trend bent(batch);
     for(std::size_t i = 0; i < batch.centers(); ++i)
     {
       V present;
@@ -296,9 +436,13 @@ private:
       value_row[4 * first_row] += value_noise + absent;
       u_row[4 * (first_row + 1)] += derivative_noise + absent;
       v_row[4 * (first_row + 2)] += derivative_noise + absent;
-      solution[first_row] = -present * (tx * x + ty * y + tz * z);
-      solution[first_row + 1] = -present * (tx * ux + ty * uy + tz * uz);
-      solution[first_row + 2] = -present * (tx * vx + ty * vy + tz * vz);
+      V a, b, h, gx, gy, gz;
+      bent.project(x, y, z, a, b);
+      bent.height.value(a, b, h);
+      bent.gradient(a, b, gx, gy, gz);
+      solution[first_row] = present * (h - (tx * x + ty * y + tz * z));
+      solution[first_row + 1] = -present * (gx * ux + gy * uy + gz * uz);
+      solution[first_row + 2] = -present * (gx * vx + gy * vy + gz * vz);
     }
     solution[3] = 1. - (tx * tx + ty * ty + tz * tz);
     fill_last_panel(batch);
@@ -473,7 +617,7 @@ private:
         weights[k] = solution[k];
       return;
     }
-    const V* const tangents = vectors(batch.directions);
+    const V* const tangents = vectors(batch.tangents);
     const V* const trend = vectors(batch.trend);
     for(std::size_t j = 0; j < batch.centers(); ++j)
     {

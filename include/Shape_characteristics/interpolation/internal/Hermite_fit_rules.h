@@ -1,7 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
 
-#include <Shape_characteristics/interpolation/internal/Hermite_system.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
@@ -175,13 +175,14 @@ private:
 };
 
 // How many neighbors take part in a fit, the nearest first. A vertex with long edges, as on the border of a Delaunay
-// triangulation, has hundreds within some rings: they cost much, and those that are far tell nothing.
-inline std::size_t largest_neighborhood(const Neighborhood& neighborhood)
+// triangulation, has hundreds within some rings: they cost much, and those that are far tell nothing. Exact normals tell so much
+// that it takes hardly more than a regular mesh has.
+inline std::size_t largest_neighborhood(const Neighborhood& neighborhood, bool is_exact)
 {
   if(neighborhood.kind() != Neighborhood::Kind::RINGS)
     return (std::numeric_limits<std::size_t>::max)();
-  const std::size_t rings = neighborhood.count();
-  return (std::max)(2 * (3 * rings * (rings + 1)), std::size_t(48)); // twice those of a regular mesh, or more
+  const std::size_t rings = neighborhood.count(), regular = 3 * rings * (rings + 1);
+  return is_exact ? (std::max)(13 * regular / 9, std::size_t(26)) : (std::max)(2 * regular, std::size_t(48));
 }
 
 // a step of Newton's method from `displacement` towards the zero set

@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_SYSTEM_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_SYSTEM_H
 
+#include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
@@ -15,18 +17,10 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// value, gradient and Hessian matrix of a function at a point
-struct Hermite_jet
-{
-  double value = 0.;
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-};
-
 /*
-  The function (thesis, equation 3.9, with a linear trend)
+  The function (thesis, equation 3.9, with a trend)
 
-    f(x) = t . x + sum_j alpha_j phi(|x - p_j|) - beta_j . grad phi(|x - p_j|)
+    f(x) = t(x) + sum_j alpha_j phi(|x - p_j|) - beta_j . grad phi(|x - p_j|)
 
   with prescribed values, and prescribed derivatives along some directions, at its centers p_j. One equation for
   each; alpha_j belongs to the value, beta_j is spanned by the directions. With all three directions at each center that
@@ -46,7 +40,7 @@ template <typename RadialBasisFunction>
 class Hermite_system
 {
 public:
-  void clear(const RadialBasisFunction& phi, const Eigen::Vector3d& trend)
+  void clear(const RadialBasisFunction& phi, const Hermite_trend& trend)
   {
     m_phi = phi;
     // noise levels are meant for phi''(0) = -1
@@ -66,11 +60,12 @@ public:
                   const std::array<double, n>& derivatives)
   {
     m_points.push_back(point);
-    m_data.push_back(value - m_trend.dot(point));
+    const Hermite_jet trend = m_trend(point);
+    m_data.push_back(value - trend.value);
     for(std::size_t k = 0; k < n; ++k)
     {
       m_directions.push_back(directions[k]);
-      m_data.push_back(derivatives[k] - m_trend.dot(directions[k]));
+      m_data.push_back(derivatives[k] - trend.gradient.dot(directions[k]));
     }
     m_first.push_back(m_data.size());
   }
@@ -126,9 +121,7 @@ public:
 
   Hermite_jet operator()(const Eigen::Vector3d& x) const
   {
-    Hermite_jet jet;
-    jet.value = m_trend.dot(x);
-    jet.gradient = m_trend;
+    Hermite_jet jet = m_trend(x);
     for(std::size_t j = 0; j < number_of_centers(); ++j)
     {
       const Eigen::Vector3d d = x - m_points[j];
@@ -201,7 +194,7 @@ private:
 
   RadialBasisFunction m_phi;
   double m_factor = 1.;
-  Eigen::Vector3d m_trend = Eigen::Vector3d::Zero();
+  Hermite_trend m_trend;
   std::vector<Eigen::Vector3d> m_points, m_directions, m_beta;
   std::vector<std::size_t> m_first = std::vector<std::size_t>(1, 0); // equation of each center's value
   // Aligned for vector instructions: elsewhere Eigen adds in another order, and rounding would depend on addresses.

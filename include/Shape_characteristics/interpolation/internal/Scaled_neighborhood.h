@@ -27,8 +27,8 @@ public:
       9; // neighbors that tell the level of noise: so few that a smooth surface
          // bends little between them
 
-  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors; if there are less than `desired`, rings
-  // grow. All else is undefined if the status isn't one of an estimate.
+  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors, the nearest ones; if there are less than
+  // `desired`, rings grow. All else is undefined if the status isn't one of an estimate.
   template <typename SampledSurface>
   Estimation_status collect(const SampledSurface& surface,
                             std::size_t i,
@@ -43,7 +43,15 @@ public:
     if(neighbors.size() < s_minimum)
       return Estimation_status::FEW_NEIGHBOURS;
 
-    const std::size_t number_of_neighbors = (std::min)(neighbors.size(), limit);
+    // `number_of_neighbors` of the first `among`, from near to far
+    std::size_t among = neighbors.size(), number_of_neighbors = among;
+    if(limit < among)
+    {
+      if(are_spread(surface, i, neighbors, limit))
+        among = number_of_neighbors = limit;
+      else
+        number_of_neighbors = (std::min)(among, (std::max)(2 * limit, s_crowd));
+    }
     const Vector& center = surface.point(i);
     samples.resize(number_of_neighbors + 1);
     points.resize(number_of_neighbors + 1);
@@ -54,7 +62,7 @@ public:
     double largest = 0.;
     for(std::size_t k = 0; k < number_of_neighbors; ++k)
     {
-      const Index j = neighbors[k];
+      const Index j = neighbors[k * among / number_of_neighbors];
       samples[k + 1] = j;
       points[k + 1] = surface.point(j) - center;
       normals[k + 1] = surface.normal(j);
@@ -93,8 +101,30 @@ public:
 
 private:
   static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
+  static constexpr std::size_t s_crowd = 48;  // neighbors that aren't spread, of which all may have a part
   static constexpr std::size_t s_desired = 5; // neighbors for which further rings are searched
-  static constexpr double s_merged = 1e-3;    // distance below which points are one
+  // of the distance, from a quarter of the neighbors to all of them: twice on a surface, four times along a line
+  static constexpr double s_least_growth = 1.3, s_largest_growth = 2.9;
+  static constexpr double s_merged = 1e-3; // distance below which points are one
+
+  // Whether the first of the neighbors are spread over a surface, and not along a line. Those of the pole of a sphere of
+  // longitudes and latitudes are all as far; those of a vertex beside it are on one circle. (Along a border, the line is the
+  // border: there is nothing beyond it.)
+  template <typename SampledSurface, typename Neighbors>
+  static bool
+  are_spread(const SampledSurface& surface, std::size_t i, const Neighbors& neighbors, std::size_t first)
+  {
+    if(std::any_of(neighbors.begin(), neighbors.end(),
+                   [&](const Index j) { return surface.status(j) == Estimation_status::BORDER; }))
+      return true;
+    const Vector far = surface.point(neighbors[first - 1]) - surface.point(i);
+    const Vector near = surface.point(neighbors[first / 4 - 1]) - surface.point(i);
+    const double unit = far.template lpNorm<Eigen::Infinity>();
+    if(!(unit > 0.) || !std::isfinite(unit))
+      return true;
+    const double square = (far / unit).squaredNorm() / (near / unit).squaredNorm();
+    return square > s_least_growth * s_least_growth && square < s_largest_growth * s_largest_growth;
+  }
 
   // Points closer to each other than any sampling means them to be, with different normals, would make the surface
   // between them explode. The one nearest to the sample stays. (The points come in the order of their distance to the
