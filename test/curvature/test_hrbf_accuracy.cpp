@@ -307,8 +307,6 @@ BOOST_AUTO_TEST_CASE(poles)
   check("exact, 1 ring", exact_one_ring, Normals::EXACT, 1e-3, 1e-3);
   check("exact", exact, Normals::EXACT, 1e-3, .04);
   check("exact, 3 rings", exact_three_rings, Normals::EXACT, 1e-3, 1e-3);
-  check("default", by_default, Normals::ESTIMATED, .005, .05);
-  check("default, 3 rings", three_rings, Normals::ESTIMATED, .005, .04);
 }
 
 namespace {

@@ -46,15 +46,15 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   8; M. Prantl, L. Váša, Estimation of differential quantities using Hermite RBF interpolation, 2018).
 
   This is the accurate estimator: on smooth surfaces that are sampled well, and with exact normals, its error is a millionth
-  to a ten-thousandth of the largest curvature; from there on, a finer mesh doesn't make it smaller, since the fits keep their
-  shape. Normals that are estimated from the mesh, and noise on the points, are dealt with by default: they are weighed
+  to a ten-thousandth of the largest curvature, and a finer mesh makes it smaller still: where a polynomial of degree 4 over the
+  tangent plane leaves little, the basis function is fitted to what it leaves. Normals that are estimated from the mesh, and noise on the points, are dealt with by default: they are weighed
   against each other by their evidence, see `noise_level`. A surface that is sampled coarsely looks a little noisy as
   well; where it is known to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded
   edge as wide as the neighborhood, and may swing beside it.
 
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little: see
   `fits_are_shared`. Which vertices have a fit of their own follows from the order of the vertices and from the edges; so
-  it changes with the order of the input. The mean error is up to twice that of a fit for each vertex.
+  it changes with the order of the input. The mean error is about twice that of a fit for each vertex.
 
   The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
   the systems of equations magnify the rounding of the coordinates.
@@ -80,7 +80,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
       \cgalParamExtra{Of \f$ r \f$ rings, the \f$ \max(6 r (r + 1), 48) \f$ nearest vertices take part, twice as many as a
-                      regular mesh has.}
+                      regular mesh has; with exact normals \f$ \max(13 r (r + 1) / 3, 26) \f$, and farther ones have a part
+                      where the nearest aren't spread over the surface, as at the poles of a sphere of longitudes.}
       \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
                       less than 5 neighbors, up to two rings are added.}
     \cgalParamNEnd
@@ -89,7 +90,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{whether the function that was fitted at a vertex may serve the vertices near it as well}
       \cgalParamType{`bool`}
       \cgalParamDefault{`true`}
-      \cgalParamExtra{`false` takes two to three times as long, and gives each vertex what it would get if it was asked for
+      \cgalParamExtra{`false` takes two to four times as long, and gives each vertex what it would get if it was asked for
                       alone, whatever the order of the input. Only with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{radial_basis_function}

@@ -50,7 +50,8 @@ struct Local_implicit_surface
 
   - a positive definite one, with normals that are exact: value 0 and both tangential derivatives 0 at each of the
     \f$ m \f$ points, and the derivative along the normal 1 at the sample. These are \f$ 3m+1 \f$ equations: of a normal, its
-    direction is used and not its length. Solved by Cholesky's method.
+    direction is used and not its length. Solved by Cholesky's method. Where a polynomial of degree 4 over the tangent plane
+    leaves little of the data, the basis function is fitted to what it leaves.
   - a positive definite one, with inexact normals: \f$ 4m \f$ equations for values and gradients, solved as a
     Gaussian process whose noise levels are given. The derivatives are taken at the nearest point of the zero set.
   - any other: the thesis's \f$ 4m \f$ equations (3.11), solved by LU. The derivatives are taken at the sample, or with
@@ -162,7 +163,9 @@ private:
         RadialBasisFunction::is_positive_definite
             ? internal::largest_neighborhood(m_surface.neighborhood(), m_options.normals_are_exact)
             : (std::numeric_limits<std::size_t>::max)();
-    const Estimation_status status = workspace.neighborhood.collect(m_surface, i, workspace.surface, limit);
+    const bool should_spread = RadialBasisFunction::is_positive_definite && m_options.normals_are_exact;
+    const Estimation_status status = workspace.neighborhood.collect(
+        m_surface, i, workspace.surface, limit, internal::Scaled_neighborhood::desired, should_spread);
     if constexpr(std::is_same_v<RadialBasisFunction, Exponential_cubic>)
     {
       if(!is_estimated(status))

@@ -292,9 +292,10 @@ private:
   bool add_task(Index i, Workspace& workspace, std::vector<Task>& tasks, const Output& output) const
   {
     Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
-    const Estimation_status status =
-        neighborhood.collect(m_surface, i, workspace.m_surface,
-                             largest_neighborhood(m_surface.neighborhood(), m_options.normals_are_exact));
+    const bool is_exact = m_options.normals_are_exact;
+    const Estimation_status status = neighborhood.collect(
+        m_surface, i, workspace.m_surface, largest_neighborhood(m_surface.neighborhood(), is_exact),
+        Scaled_neighborhood::desired, is_exact);
     if(!is_estimated(status))
     {
       output(i, failure(status));
@@ -302,7 +303,7 @@ private:
     }
     Task task = store(neighborhood, workspace);
     task.status = status;
-    if(m_options.normals_are_exact)
+    if(is_exact)
       task.exact = Exact_fit_attempts(neighborhood);
     else
       task.noisy = Noisy_fit_attempts(neighborhood, m_options.noise_level, m_options.normal_noise_level);

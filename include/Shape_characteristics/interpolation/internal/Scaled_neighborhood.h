@@ -27,14 +27,18 @@ public:
       9; // neighbors that tell the level of noise: so few that a smooth surface
          // bends little between them
 
-  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors, the nearest ones; if there are less than
-  // `desired`, rings grow. All else is undefined if the status isn't one of an estimate.
+  static constexpr std::size_t desired = 5; // neighbors for which further rings are searched
+
+  // Collects the neighborhood of sample `i`, of no more than `limit` neighbors, the nearest ones (if they are spread over the
+  // surface, or needn't be); if there are less than `desired`, rings grow. All else is undefined if the status isn't one of an
+  // estimate.
   template <typename SampledSurface>
   Estimation_status collect(const SampledSurface& surface,
                             std::size_t i,
                             typename SampledSurface::Workspace& workspace,
                             std::size_t limit = (std::numeric_limits<std::size_t>::max)(),
-                            std::size_t desired = s_desired)
+                            std::size_t desired = Scaled_neighborhood::desired,
+                            bool should_spread = false)
   {
     const Estimation_status status = surface.status(i);
     if(!is_estimated(status))
@@ -47,7 +51,7 @@ public:
     std::size_t among = neighbors.size(), number_of_neighbors = among;
     if(limit < among)
     {
-      if(are_spread(surface, i, neighbors, limit))
+      if(!should_spread || are_spread(surface, i, neighbors, limit))
         among = number_of_neighbors = limit;
       else
         number_of_neighbors = (std::min)(among, (std::max)(2 * limit, s_crowd));
@@ -102,7 +106,6 @@ public:
 private:
   static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
   static constexpr std::size_t s_crowd = 48;  // neighbors that aren't spread, of which all may have a part
-  static constexpr std::size_t s_desired = 5; // neighbors for which further rings are searched
   // of the distance, from a quarter of the neighbors to all of them: twice on a surface, four times along a line
   static constexpr double s_least_growth = 1.3, s_largest_growth = 2.9;
   static constexpr double s_merged = 1e-3; // distance below which points are one
