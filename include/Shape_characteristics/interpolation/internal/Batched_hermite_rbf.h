@@ -205,12 +205,8 @@ public:
 private:
   // Samples that are served by the fit of another, as well as by one of their own: near its center (in units of the
   // neighborhood's size), where the surface bends little. The next center is sought farther away.
-  struct Reach
-  {
-    double served, rim;
-    double cosine; // of the angle between their normals
-  };
-  static constexpr Reach s_reach_of_exact_fit{1.2, 1.4, 0.955}, s_reach_of_noisy_fit{0.75, 1.25, 0.97};
+  static constexpr double s_served_distance = 0.75, s_rim = 1.25;
+  static constexpr double s_served_cosine = 0.97;      // of the angle between their normals
   static constexpr double s_served_curvature = 2.;     // largest there, in units of the inverse size
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
@@ -240,7 +236,6 @@ private:
     if(sum.norm() > s_imbalance * double(neighborhood.points.size()))
       return;
     const auto number = Index(workspace.m_tasks.size() - 1);
-    const Reach reach = m_options.normals_are_exact ? s_reach_of_exact_fit : s_reach_of_noisy_fit;
     for(std::size_t n = 1; n < neighborhood.samples.size(); ++n)
     {
       const Index j = neighborhood.samples[n];
@@ -248,14 +243,14 @@ private:
       if(nearest == nullptr)
         continue;
       const double squared_distance = neighborhood.points[n].squaredNorm();
-      if(squared_distance < reach.served * reach.served &&
-         neighborhood.normals[n].dot(neighborhood.normals[0]) > reach.cosine)
+      if(squared_distance < s_served_distance * s_served_distance &&
+         neighborhood.normals[n].dot(neighborhood.normals[0]) > s_served_cosine)
       {
         is_served[j] = 1;
         if(squared_distance < nearest->squared_distance)
           *nearest = {squared_distance, number, Index(n)};
       }
-      else if(squared_distance > reach.rim * reach.rim && !is_served[j])
+      else if(squared_distance > s_rim * s_rim && !is_served[j])
         workspace.m_rim.push_back(j);
     }
   }
