@@ -47,14 +47,14 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
 
   This is the accurate estimator: on smooth surfaces that are sampled well, and with exact normals, its error is a millionth
   to a ten-thousandth of the largest curvature, and a finer mesh makes it smaller still: where a polynomial of degree 4 over the
-  tangent plane leaves little, the basis function is fitted to what it leaves. Normals that are estimated from the mesh, and noise on the points, are dealt with by default: they are weighed
-  against each other by their evidence, see `noise_level`. A surface that is sampled coarsely looks a little noisy as
-  well; where it is known to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded
-  edge as wide as the neighborhood, and may swing beside it.
+  tangent plane leaves little, the basis function is fitted to what it leaves. Normals that are estimated from the mesh, and
+  noise on the points, are dealt with by default: they are weighed against each other by their evidence, see `noise_level`. A
+  surface that is sampled coarsely looks a little noisy as well; where it is known to be clean, `noise_level(0)` is better. At
+  sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing beside it.
 
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little: see
   `fits_are_shared`. Which vertices have a fit of their own follows from the order of the vertices and from the edges; so
-  it changes with the order of the input. The mean error is about twice that of a fit for each vertex.
+  it changes with the order of the input. The mean error is up to twice that of a fit for each vertex.
 
   The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
   the systems of equations magnify the rounding of the coordinates.
@@ -90,7 +90,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{whether the function that was fitted at a vertex may serve the vertices near it as well}
       \cgalParamType{`bool`}
       \cgalParamDefault{`true`}
-      \cgalParamExtra{`false` takes two to four times as long, and gives each vertex what it would get if it was asked for
+      \cgalParamExtra{`false` takes two to three times as long, and gives each vertex what it would get if it was asked for
                       alone, whatever the order of the input. Only with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{radial_basis_function}
