@@ -47,15 +47,12 @@ public:
     if(neighbors.size() < s_minimum)
       return Estimation_status::FEW_NEIGHBOURS;
 
-    // `number_of_neighbors` of the first `among`, from near to far
-    std::size_t among = neighbors.size(), number_of_neighbors = among;
-    if(limit < among)
-    {
-      if(!should_spread || are_spread(surface, i, neighbors, limit))
-        among = number_of_neighbors = limit;
-      else
-        number_of_neighbors = (std::min)(among, (std::max)(2 * limit, s_crowd));
-    }
+    // the nearest ones, or some from near to far
+    std::size_t number_of_neighbors = (std::min)(neighbors.size(), limit);
+    const bool are_nearest =
+        number_of_neighbors == neighbors.size() || !should_spread || are_spread(surface, i, neighbors, limit);
+    if(!are_nearest)
+      number_of_neighbors = (std::min)(neighbors.size(), (std::max)(2 * limit, s_crowd));
     const Vector& center = surface.point(i);
     samples.resize(number_of_neighbors + 1);
     points.resize(number_of_neighbors + 1);
@@ -66,7 +63,7 @@ public:
     double largest = 0.;
     for(std::size_t k = 0; k < number_of_neighbors; ++k)
     {
-      const Index j = neighbors[k * among / number_of_neighbors];
+      const Index j = neighbors[are_nearest ? k : k * neighbors.size() / number_of_neighbors];
       samples[k + 1] = j;
       points[k + 1] = surface.point(j) - center;
       normals[k + 1] = surface.normal(j);
@@ -91,7 +88,7 @@ public:
     rounding_error =
         std::numeric_limits<double>::epsilon() * (center.template lpNorm<Eigen::Infinity>() / scale);
     for(Vector& p : points)
-      p /= scale;
+      p *= 1. / scale;
     merge();
     return points.size() <= s_minimum || is_collinear() ? Estimation_status::DEGENERATE : status;
   }
