@@ -240,43 +240,8 @@ namespace {
 template <typename Estimator>
 std::pair<double, double> errors_at_poles(const Estimator& estimator, std::size_t n)
 {
-  constexpr double pi = 3.14159265358979323846;
-  constexpr double a = 1., b = .8, c = .6;
-  Analytic_surface s;
-  s.name = "ellipsoid of longitudes";
-  const auto add = [&](const double polar_angle, const double longitude)
-  {
-    const double x = std::sin(polar_angle) * std::cos(longitude),
-                 y = std::sin(polar_angle) * std::sin(longitude), z = std::cos(polar_angle);
-    s.points.push_back({a * x, b * y, c * z});
-    const double length = std::sqrt(x * x / (a * a) + y * y / (b * b) + z * z / (c * c));
-    const double H = (a * a + b * b + c * c - a * a * x * x - b * b * y * y - c * c * z * z) /
-                     (2. * a * a * b * b * c * c * length * length * length);
-    const double K = 1. / (a * a * b * b * c * c * length * length * length * length);
-    const double r = std::sqrt((std::max)(H * H - K, 0.));
-    s.exact.emplace_back();
-    s.exact.back().normal = {x / a / length, y / b / length, z / c / length};
-    s.exact.back().k_min = H - r;
-    s.exact.back().k_max = H + r;
-  };
-  const std::size_t rows = n / 2;
-  for(std::size_t i = 1; i < rows; ++i)
-    for(std::size_t j = 0; j < n; ++j)
-      add(pi * double(i) / double(rows), 2. * pi * double(j) / double(n));
-  const std::size_t top = s.points.size(), bottom = top + 1, last = (rows - 2) * n;
-  add(0., 0.);
-  add(pi, 0.);
-  for(std::size_t j = 0; j < n; ++j)
-  {
-    const std::size_t next = (j + 1) % n;
-    s.triangles.push_back({top, j, next});
-    s.triangles.push_back({bottom, last + next, last + j});
-    for(std::size_t i = 0; i < last; i += n)
-    {
-      s.triangles.push_back({i + j, i + n + j, i + next});
-      s.triangles.push_back({i + next, i + n + j, i + n + next});
-    }
-  }
+  const Analytic_surface s = test_support::ellipsoid_of_longitudes(1., .8, .6, n);
+  const std::size_t top = s.points.size() - 2, bottom = top + 1, last = top - n;
   const Result result = run(estimator, s, Normals::EXACT);
   const auto error = [&](const std::size_t i)
   {

@@ -108,6 +108,19 @@ void jitter_on_unit_sphere(std::vector<Vector>& points,
   }
 }
 
+// moves the points of the unit sphere to the ellipsoid with these half axes, and says its curvatures there
+void stretch_to_ellipsoid(Analytic_surface& s, double a, double b, double c)
+{
+  const Symmetric_matrix hessian{Vector{2. / (a * a), 0, 0}, Vector{0, 2. / (b * b), 0},
+                                 Vector{0, 0, 2. / (c * c)}};
+  for(Vector& p : s.points)
+  {
+    p = {a * p[0], b * p[1], c * p[2]};
+    s.exact.push_back(
+        make_exact(benchmark_support::exact_curvature(benchmark_support::multiply(hessian, p), hessian)));
+  }
+}
+
 } // namespace
 
 double Analytic_surface::mean_edge_length() const
@@ -171,14 +184,38 @@ ellipsoid(double a, double b, double c, unsigned int subdivisions, double jitter
   s.name = "ellipsoid";
   icosphere(subdivisions, s.points, s.triangles);
   jitter_on_unit_sphere(s.points, s.triangles, jitter, seed);
-  const Symmetric_matrix hessian{Vector{2. / (a * a), 0, 0}, Vector{0, 2. / (b * b), 0},
-                                 Vector{0, 0, 2. / (c * c)}};
-  for(Vector& p : s.points)
+  stretch_to_ellipsoid(s, a, b, c);
+  return s;
+}
+
+Analytic_surface ellipsoid_of_longitudes(double a, double b, double c, std::size_t longitudes)
+{
+  Analytic_surface s;
+  s.name = "ellipsoid of longitudes";
+  const std::size_t n = longitudes, rows = n / 2;
+  for(std::size_t i = 1; i < rows; ++i)
+    for(std::size_t j = 0; j < n; ++j)
+    {
+      const double polar_angle = M_PI * double(i) / double(rows),
+                   longitude = 2. * M_PI * double(j) / double(n);
+      s.points.push_back({std::sin(polar_angle) * std::cos(longitude),
+                          std::sin(polar_angle) * std::sin(longitude), std::cos(polar_angle)});
+    }
+  const std::size_t top = s.points.size(), bottom = top + 1, last = (rows - 2) * n;
+  s.points.push_back({0., 0., 1.});
+  s.points.push_back({0., 0., -1.});
+  for(std::size_t j = 0; j < n; ++j)
   {
-    p = {a * p[0], b * p[1], c * p[2]};
-    s.exact.push_back(
-        make_exact(benchmark_support::exact_curvature(benchmark_support::multiply(hessian, p), hessian)));
+    const std::size_t next = (j + 1) % n;
+    s.triangles.push_back({top, j, next});
+    s.triangles.push_back({bottom, last + next, last + j});
+    for(std::size_t i = 0; i < last; i += n)
+    {
+      s.triangles.push_back({i + j, i + n + j, i + next});
+      s.triangles.push_back({i + next, i + n + j, i + n + next});
+    }
   }
+  stretch_to_ellipsoid(s, a, b, c);
   return s;
 }
 

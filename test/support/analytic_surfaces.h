@@ -62,6 +62,10 @@ Analytic_surface ellipsoid(double a = 1.,
                            double jitter = 0.,
                            std::uint64_t seed = 1);
 
+/// Ellipsoid with half axes a, b, c along x, y, z, of circles of `longitudes` vertices from pole to pole. The poles are the
+/// last two vertices; the first circle and the last one are beside them.
+Analytic_surface ellipsoid_of_longitudes(double a, double b, double c, std::size_t longitudes);
+
 /// Side of a cylinder around the z axis, z from 0 to `height`, open at both ends.
 Analytic_surface cylinder(double radius = 1.,
                           double height = 2.,
