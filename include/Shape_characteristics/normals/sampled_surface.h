@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/internal/point_set_parameters.h>
 #include <Shape_characteristics/internal/to_eigen.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
@@ -84,7 +85,7 @@ sampled_surface(const FaceGraph& mesh,
   {
     const auto normal_map = get_parameter(np, internal_np::vertex_normal_map);
     std::vector<Eigen::Vector3d> normals;
-    normals.reserve(samples.size());
+    internal::reserve_large_pages(normals, samples.size());
     for(const auto v : vertices(mesh))
       normals.push_back(internal::to_eigen(get(normal_map, v)));
     samples.set_normals(std::move(normals));
@@ -125,7 +126,7 @@ Face_graph_samples sampled_surface(typename internal::Vertex_descriptor<FaceGrap
   {
     const auto normal_map = get_parameter(np, internal_np::vertex_normal_map);
     std::vector<Eigen::Vector3d> normals;
-    normals.reserve(samples.size());
+    internal::reserve_large_pages(normals, samples.size());
     for(const vertex_descriptor w : copied)
       normals.push_back(internal::to_eigen(get(normal_map, w)));
     samples.set_normals(std::move(normals));
@@ -176,7 +177,7 @@ Point_set_samples sampled_surface(const PointRange& points,
   {
     const auto normal_map = Helper::get_normal_map(points, np);
     std::vector<Eigen::Vector3d> normals;
-    normals.reserve(samples.size());
+    internal::reserve_large_pages(normals, samples.size());
     for(const auto& item : points)
       normals.push_back(internal::to_eigen(get(normal_map, item)));
     samples.set_normals(std::move(normals));

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_FACE_GRAPH_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
@@ -82,7 +83,8 @@ public:
     \param vpm its points
     \param neighborhood what the neighbors of a vertex are: `Neighborhood::rings()` or `Neighborhood::ball()`
     \param connectivity what is to be known beside the points
-    \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ vertices or corners of faces
+    \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ vertices or corners of faces; of faces that aren't triangles,
+            half as many corners
 
     Complexity: linear in the size of the mesh.
   */
@@ -254,8 +256,8 @@ public:
   double spacing(std::size_t i) const
   {
     std::vector<double> lengths;
-    for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
-      if(const double length = (m_points[m_adjacency[k]] - m_points[i]).norm(); std::isfinite(length))
+    for(auto [j, end] = adjacent(i); j != end; ++j)
+      if(const double length = (m_points[*j] - m_points[i]).norm(); std::isfinite(length))
         lengths.push_back(length);
     return internal::mean_of(lengths);
   }
@@ -268,9 +270,9 @@ public:
     std::vector<double> lengths;
     lengths.reserve(m_adjacency.size() / 2);
     for(std::size_t i = 0; i < size(); ++i)
-      for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
-        if(m_adjacency[k] > i)
-          if(const double length = (m_points[m_adjacency[k]] - m_points[i]).norm(); std::isfinite(length))
+      for(auto [j, end] = adjacent(i); j != end; ++j)
+        if(*j > i)
+          if(const double length = (m_points[*j] - m_points[i]).norm(); std::isfinite(length))
             lengths.push_back(length);
     return internal::mean_of(lengths);
   }
@@ -504,13 +506,13 @@ private:
   template <typename FaceGraph, typename VertexPointMap, typename VertexIndex>
   void copy_vertices(const FaceGraph& mesh, const VertexPointMap& vpm, const VertexIndex& index)
   {
-    m_points.reserve(num_vertices(mesh));
+    internal::reserve_large_pages(m_points, num_vertices(mesh));
     for(const auto v : vertices(mesh))
     {
       check_size(m_points.size());
       add_point(get(vpm, v));
     }
-    m_status.assign(size(), Estimation_status::ESTIMATED);
+    internal::resize_in_large_pages(m_status, size(), Estimation_status::ESTIMATED);
     for(const auto h : halfedges(mesh))
       if(CGAL::is_border(h, mesh))
         m_status[index(target(h, mesh))] = m_status[index(source(h, mesh))] = Estimation_status::BORDER;
@@ -522,7 +524,7 @@ private:
   template <typename FaceGraph, typename VertexIndex>
   void copy_faces(const FaceGraph& mesh, const VertexIndex& index)
   {
-    m_face_vertices.reserve(3 * num_faces(mesh));
+    internal::reserve_large_pages(m_face_vertices, 3 * num_faces(mesh));
     for(const auto f : faces(mesh))
       add_face(mesh, f, index);
   }
@@ -618,12 +620,12 @@ private:
   {
     // While faces are entered, the entry after that of vertex `v` is where its next face comes: in the end, where those of
     // the next vertex begin.
-    m_incidence_begin.assign(size() + 2, 0);
+    internal::resize_in_large_pages(m_incidence_begin, size() + 2);
     for(const Index v : m_face_vertices)
       ++m_incidence_begin[v + 2];
     for(std::size_t i = 0; i < size(); ++i)
       m_incidence_begin[i + 2] += m_incidence_begin[i + 1];
-    m_incidence.resize(m_face_vertices.size());
+    internal::resize_in_large_pages(m_incidence, m_face_vertices.size());
     for(std::size_t f = 0, faces = number_of_faces(); f < faces; ++f)
       for(std::size_t k = first_corner(f), end = k + degree(f); k < end; ++k)
         m_incidence[m_incidence_begin[m_face_vertices[k] + 1]++] = Index(f);
@@ -705,74 +707,74 @@ private:
   template <typename ConcurrencyTag>
   void find_adjacency()
   {
-    // Each block of vertices collects its own; then they are put one after the other.
+    // Each block of vertices has room for all that it might find.
     const std::size_t number_of_blocks = (size() + s_block - 1) / s_block;
-    std::vector<std::vector<Index> > blocks(number_of_blocks);
-    m_adjacency_begin.assign(size() + 1, 0);
+    internal::resize_in_large_pages(m_adjacency_begin, size() + number_of_blocks);
+    std::size_t room = 0;
+    for(std::size_t b = 0; b < number_of_blocks; ++b)
+    {
+      const std::size_t first = b * s_block, last = (std::min)(first + s_block, size());
+      m_adjacency_begin[place_of_adjacency(first)] = Index(room);
+      for(std::size_t i = first; i < last; ++i)
+        room += (is_inside_of_triangles(i) ? 1 : 2) * (m_incidence_begin[i + 1] - m_incidence_begin[i]);
+      check_size(room);
+    }
+    internal::resize_in_large_pages(m_adjacency, room);
     for_each_sample<ConcurrencyTag, No_workspace>(
         number_of_blocks,
         [&](const std::size_t b, No_workspace&)
         {
           const std::size_t first = b * s_block, last = (std::min)(first + s_block, size());
-          const std::size_t corners = m_incidence_begin[last] - m_incidence_begin[first];
-          blocks[b].reserve(corners + corners / 64 + 2);
+          Index* const begin = m_adjacency_begin.data() + place_of_adjacency(first);
           for(std::size_t i = first; i < last; ++i)
-          {
-            const std::size_t before = blocks[b].size();
-            append_adjacent(i, blocks[b]);
-            m_adjacency_begin[i + 1] = Index(blocks[b].size() - before);
-          }
-        },
-        {}, 1);
-    std::size_t total = 0;
-    for(Index& begin : m_adjacency_begin)
-    {
-      total += begin;
-      check_size(total);
-      begin = Index(total);
-    }
-    m_adjacency.resize(total);
-    for_each_sample<ConcurrencyTag, No_workspace>(
-        number_of_blocks,
-        [&](const std::size_t b, No_workspace&)
-        {
-          std::copy(blocks[b].begin(), blocks[b].end(),
-                    m_adjacency.begin() + std::ptrdiff_t(m_adjacency_begin[b * s_block]));
-          std::vector<Index>().swap(blocks[b]);
+            begin[i - first + 1] =
+                begin[i - first] + write_adjacent(i, m_adjacency.data() + begin[i - first]);
         },
         {}, 1);
   }
 
-  void append_adjacent(std::size_t i, std::vector<Index>& list) const
+  // Where the neighbors of vertex `i` begin is at this place of `m_adjacency_begin`, and where they end is at the next one: that is
+  // where those of the next vertex begin, but at the end of a block.
+  static std::size_t place_of_adjacency(std::size_t i) { return i + i / s_block; }
+
+  // the vertices next to vertex `i`, if they are known
+  std::pair<const Index*, const Index*> adjacent(std::size_t i) const
   {
-    const std::size_t begin = list.size();
-    // Inside of a surface of triangles, what comes before the vertex in one of them comes after it in another.
-    if(m_is_triangle_mesh && !m_is_border.empty() && !m_is_border[i])
-      for_each_incident_face(i, [&](const Index f, const std::size_t c)
-                             { list.push_back(vertex(f, s_next[c])); });
-    else
-      for_each_vertex_next_to(i, [&](const Index j) { list.push_back(j); });
-    remove_duplicates(list, begin);
+    const Index* const begin = m_adjacency_begin.data() + place_of_adjacency(i);
+    return {m_adjacency.data() + begin[0], m_adjacency.data() + begin[1]};
   }
 
-  // of all from number `begin` on
-  static void remove_duplicates(std::vector<Index>& list, std::size_t begin)
+  // Inside of a surface of triangles, what comes before the vertex in one of them comes after it in another.
+  bool is_inside_of_triangles(std::size_t i) const
   {
-    constexpr std::size_t few = 32;
-    const auto first = list.begin() + std::ptrdiff_t(begin);
-    auto end = first;
-    if(list.size() - begin <= few)
-      for(auto k = first; k != list.end(); ++k)
-      {
-        if(std::find(first, end, *k) == end)
-          *end++ = *k;
-      }
+    return m_is_triangle_mesh && !m_is_border.empty() && !m_is_border[i];
+  }
+
+  // returns how many there are
+  Index write_adjacent(std::size_t i, Index* const first) const
+  {
+    Index* end = first;
+    if(is_inside_of_triangles(i))
+      for_each_incident_face(i, [&](const Index f, const std::size_t c) { *end++ = vertex(f, s_next[c]); });
     else
+      for_each_vertex_next_to(i, [&](const Index j) { *end++ = j; });
+    return Index(remove_duplicates(first, end) - first);
+  }
+
+  // returns the new end
+  static Index* remove_duplicates(Index* const first, Index* const last)
+  {
+    constexpr std::ptrdiff_t few = 32;
+    if(last - first > few)
     {
-      std::sort(first, list.end());
-      end = std::unique(first, list.end());
+      std::sort(first, last);
+      return std::unique(first, last);
     }
-    list.erase(end, list.end());
+    Index* end = first;
+    for(const Index* k = first; k != last; ++k)
+      if(std::find(first, end, *k) == end)
+        *end++ = *k;
+    return end;
   }
 
   // `function(f, c)` for each face at vertex `i`, which is its corner `c`
@@ -803,8 +805,8 @@ private:
     if(m_adjacency_begin.empty())
       for_each_vertex_next_to(i, function);
     else
-      for(std::size_t k = m_adjacency_begin[i]; k < m_adjacency_begin[i + 1]; ++k)
-        function(m_adjacency[k]);
+      for(auto [j, end] = adjacent(i); j != end; ++j)
+        function(*j);
   }
 
   bool comes_before(const Index f, const Index g) const
@@ -835,7 +837,8 @@ private:
     workspace.m_neighbors.clear();
     if(workspace.m_visited.size() != size() || workspace.m_query == (std::numeric_limits<Index>::max)())
     {
-      workspace.m_visited.assign(size(), 0);
+      workspace.m_visited.clear();
+      internal::resize_in_large_pages(workspace.m_visited, size());
       workspace.m_query = 0;
     }
     workspace.m_visited[i] = ++workspace.m_query;
@@ -855,6 +858,27 @@ private:
                       });
   }
 
+  // Whether a vertex has been visited can't be foreseen: it is written in any case, and stays if it hasn't been.
+  void add_all_adjacent(std::size_t i, Workspace& workspace) const
+  {
+    if(m_adjacency_begin.empty())
+    {
+      add_adjacent(i, workspace, [](const Index) { return true; });
+      return;
+    }
+    const auto [first, last] = adjacent(i);
+    std::vector<Index>& neighbors = workspace.m_neighbors;
+    std::size_t size = neighbors.size();
+    neighbors.resize(size + std::size_t(last - first));
+    for(const Index* j = first; j != last; ++j)
+    {
+      neighbors[size] = *j;
+      size += workspace.m_visited[*j] != workspace.m_query;
+      workspace.m_visited[*j] = workspace.m_query;
+    }
+    neighbors.resize(size);
+  }
+
   void drop_unusable(std::vector<Index>& neighbors) const
   {
     neighbors.erase(
@@ -864,20 +888,18 @@ private:
 
   void collect_rings(std::size_t i, std::size_t minimum, Workspace& workspace) const
   {
-    const auto all = [](const Index) { return true; };
-
     begin_query(i, workspace);
     std::vector<Index>& neighbors = workspace.m_neighbors;
     const std::size_t rings = m_neighborhood.count();
     std::size_t begin = 0;
-    add_adjacent(i, workspace, all);
+    add_all_adjacent(i, workspace);
     for(std::size_t ring = 1; ring < rings + s_further_rings; ++ring)
     {
       if(ring >= rings && count_usable(neighbors) >= minimum)
         break;
       const std::size_t end = neighbors.size();
       for(; begin != end; ++begin)
-        add_adjacent(neighbors[begin], workspace, all);
+        add_all_adjacent(neighbors[begin], workspace);
     }
     drop_unusable(neighbors);
   }
@@ -914,9 +936,9 @@ private:
 
 inline Face_graph_samples::Traversal::Traversal(const Face_graph_samples& samples, std::size_t patch_size)
   : m_samples(&samples),
-    m_patch_size(patch_size),
-    m_number_of_patch(samples.size(), s_not_reached)
+    m_patch_size(patch_size)
 {
+  internal::resize_in_large_pages(m_number_of_patch, samples.size(), s_not_reached);
   for(std::size_t i = 0; i < samples.size(); ++i)
     if(samples.m_status[i] == Estimation_status::UNREFERENCED)
       m_number_of_patch[i] = s_placed;

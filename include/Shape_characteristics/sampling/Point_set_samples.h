@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_POINT_SET_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/Kd_tree.h>
@@ -258,7 +259,7 @@ private:
   static std::vector<Eigen::Vector3d> copy(const PointRange& points, const PointMap& point_map)
   {
     std::vector<Eigen::Vector3d> result;
-    result.reserve(std::size_t(std::distance(std::begin(points), std::end(points))));
+    internal::reserve_large_pages(result, std::size_t(std::distance(std::begin(points), std::end(points))));
     for(const auto& item : points)
     {
       if(result.size() >= (std::numeric_limits<Index>::max)() - 1)

@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_LARGE_ARRAY_H
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_LARGE_ARRAY_H
 
+#include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/sampling/No_workspace.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
@@ -23,6 +24,7 @@ public:
   template <typename ConcurrencyTag>
   Large_array(std::size_t size, ConcurrencyTag) : m_memory(new Memory[size])
   {
+    ask_for_large_pages(m_memory.get(), size * sizeof(Memory));
     for_each_sample<ConcurrencyTag, No_workspace>(
         size, [&](const std::size_t i, No_workspace&) { ::new(static_cast<void*>(m_memory[i].bytes)) T(); },
         {}, s_block);

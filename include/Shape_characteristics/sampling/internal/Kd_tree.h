@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
 #define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
 
+#include <Shape_characteristics/internal/large_pages.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -26,7 +28,7 @@ public:
 
   explicit Kd_tree(const std::vector<Eigen::Vector3d>& points)
   {
-    m_entries.reserve(points.size());
+    reserve_large_pages(m_entries, points.size());
     for(std::size_t i = 0; i < points.size(); ++i)
       if(points[i].allFinite())
         m_entries.push_back({points[i], std::uint32_t(i)});
@@ -35,7 +37,7 @@ public:
       number_of_leaves *= 2;
     m_nodes.resize(2 * number_of_leaves);
     build(1, 0, m_entries.size());
-    m_place.assign(points.size(), s_none);
+    resize_in_large_pages(m_place, points.size(), s_none);
     for(std::size_t k = 0; k < m_entries.size(); ++k)
       m_place[m_entries[k].index] = std::uint32_t(k);
   }
