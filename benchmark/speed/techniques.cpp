@@ -12,6 +12,7 @@
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
@@ -74,7 +75,8 @@ batched(const Samples& samples, const RadialBasisFunction& phi, bool exact, std:
   using Fit = SC::internal::Batched_hermite_rbf<Samples, RadialBasisFunction>;
   return [&samples, phi, exact, lanes, shared](Fits& fits)
   {
-    constexpr std::size_t patch_size = 512;
+    const std::size_t patch_size =
+        SC::internal::Sample_patches::patch_size_for(samples.size(), exact ? 4 : 8);
     typename Fit::Options options;
     options.normals_are_exact = exact;
     options.fits_are_shared = shared;
@@ -82,7 +84,7 @@ batched(const Samples& samples, const RadialBasisFunction& phi, bool exact, std:
     auto patches = SC::internal::Sample_patches::compact(samples, patch_size);
     SC::internal::for_each_patch<CGAL::Sequential_tag>(
         fit, samples.size(), patches,
-        [&](const std::size_t i, const SC::Local_implicit_surface& local) { fits[i] = local; });
+        {[&](const std::size_t i, const SC::Local_implicit_surface& local) { fits[i] = local; }});
   };
 }
 

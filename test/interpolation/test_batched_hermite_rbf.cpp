@@ -4,11 +4,13 @@
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
 
+#include <Shape_characteristics/internal/Shape_operator_eigen.h>
 #include <Shape_characteristics/interpolation/Gaussian.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
@@ -66,13 +68,14 @@ one_by_one(const Face_graph_samples& samples, const RadialBasisFunction& phi, bo
 }
 
 template <typename RadialBasisFunction>
-std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& samples,
-                                                const RadialBasisFunction& phi,
-                                                bool exact,
-                                                double noise,
-                                                bool shared,
-                                                std::size_t lanes,
-                                                std::size_t patch_size)
+void fit_batched(const Face_graph_samples& samples,
+                 const RadialBasisFunction& phi,
+                 bool exact,
+                 double noise,
+                 bool shared,
+                 std::size_t lanes,
+                 std::size_t patch_size,
+                 const internal::Hermite_fit_output& output)
 {
   using Fit = internal::Batched_hermite_rbf<Face_graph_samples, RadialBasisFunction>;
   typename Fit::Options options;
@@ -81,15 +84,26 @@ std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& sample
   options.fits_are_shared = shared;
   const Fit fit(samples, phi, options, lanes);
   auto patches = internal::Sample_patches::compact(samples, patch_size);
+  internal::for_each_patch<CGAL::Sequential_tag>(fit, samples.size(), patches, output);
+}
+
+template <typename RadialBasisFunction>
+std::vector<SC::Local_implicit_surface> batched(const Face_graph_samples& samples,
+                                                const RadialBasisFunction& phi,
+                                                bool exact,
+                                                double noise,
+                                                bool shared,
+                                                std::size_t lanes,
+                                                std::size_t patch_size)
+{
   std::vector<SC::Local_implicit_surface> result(samples.size());
   std::vector<int> answers(samples.size(), 0);
-  internal::for_each_patch<CGAL::Sequential_tag>(
-      fit, samples.size(), patches,
-      [&](const std::size_t i, const SC::Local_implicit_surface& local)
-      {
-        result[i] = local;
-        ++answers[i];
-      });
+  fit_batched(samples, phi, exact, noise, shared, lanes, patch_size,
+              {[&](const std::size_t i, const SC::Local_implicit_surface& local)
+               {
+                 result[i] = local;
+                 ++answers[i];
+               }});
   BOOST_TEST(std::all_of(answers.begin(), answers.end(), [](const int n) { return n == 1; }));
   return result;
 }
@@ -250,6 +264,59 @@ BOOST_AUTO_TEST_CASE(bits)
         if(lanes_of(2) == 2)
           BOOST_TEST(same_bits(run(true, 2, 512), run(true, 1, 512)));
       }
+}
+
+// The curvatures that are found side by side are those of the gradient and Hessian matrix.
+BOOST_AUTO_TEST_CASE(curvatures_of_fits)
+{
+  for(const Analytic_surface& s : surfaces())
+    for(const bool exact : {true, false})
+      for(const std::size_t lanes : {1, 2, 4, 8})
+        BOOST_TEST_CONTEXT(s.name << (exact ? ", exact, " : ", ") << lanes << " lanes")
+        {
+          const Face_graph_samples samples = samples_of(s, 2);
+          std::vector<internal::Shape_operator_eigen> found(samples.size());
+          std::vector<SC::Estimation_status> statuses(samples.size());
+          std::vector<SC::Local_implicit_surface> surface;
+          const auto run = [&](const auto& phi)
+          {
+            surface = batched(samples, phi, exact, 1e-4, true, lanes, 512);
+            fit_batched(samples, phi, exact, 1e-4, true, lanes, 512,
+                        {[&](const std::size_t i, const SC::Local_implicit_surface& local)
+                         { statuses[i] = local.status; },
+                         [&](const std::size_t i, const SC::Estimation_status status,
+                             const internal::Shape_operator_eigen& curvatures)
+                         {
+                           statuses[i] = status;
+                           found[i] = curvatures;
+                         }});
+          };
+          if(exact)
+            run(SC::Inverse_multiquadric());
+          else
+            run(SC::Matern_9_2());
+          double largest = 0.;
+          for(std::size_t i = 0; i < samples.size(); ++i)
+          {
+            BOOST_TEST((statuses[i] == surface[i].status));
+            if(!SC::is_estimated(statuses[i]))
+              continue;
+            const internal::Shape_operator_eigen& k = found[i];
+            const Eigen::Matrix3d expected = shape_operator(surface[i]);
+            const double unit = std::max(expected.norm(), 1e-300);
+            largest = std::max({largest,
+                                (k.min_curvature * (k.min_direction * k.min_direction.transpose()) +
+                                 k.max_curvature * (k.max_direction * k.max_direction.transpose()) - expected)
+                                        .norm() /
+                                    unit,
+                                std::abs(k.min_direction.norm() - 1.), std::abs(k.max_direction.norm() - 1.),
+                                std::abs(k.min_direction.dot(k.max_direction)),
+                                std::abs(k.min_direction.dot(surface[i].gradient.normalized()))});
+            BOOST_TEST(k.min_curvature <= k.max_curvature);
+          }
+          BOOST_TEST_MESSAGE(s.name << (exact ? ", exact, " : ", ") << lanes << " lanes: " << largest);
+          BOOST_TEST(largest < 1e-13);
+        }
 }
 
 BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)

@@ -25,13 +25,15 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   Large_array<Curvature_estimate> estimates(size, ConcurrencyTag());
   for_each_hermite_rbf_fit<ConcurrencyTag>(
       surface, size,
-      [&](const std::size_t i, const Local_implicit_surface& local)
-      {
-        estimates[i] =
-            is_estimated(local.status)
-                ? Curvature_estimate(local.status, curvatures_of_implicit(local.gradient, local.hessian))
-                : Curvature_estimate(local.status);
-      },
+      {[&](const std::size_t i, const Local_implicit_surface& local)
+       {
+         estimates[i] =
+             is_estimated(local.status)
+                 ? Curvature_estimate(local.status, curvatures_of_implicit(local.gradient, local.hessian))
+                 : Curvature_estimate(local.status);
+       },
+       [&](const std::size_t i, const Estimation_status status, const Shape_operator_eigen& curvatures)
+       { estimates[i] = Curvature_estimate(status, curvatures); }},
       np);
   return estimates;
 }
@@ -54,7 +56,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
 
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little: see
   `fits_are_shared`. Which vertices have a fit of their own follows from the order of the vertices and from the edges; so
-  it changes with the order of the input. The mean error is up to twice that of a fit for each vertex.
+  it changes with the order of the input. The mean error is up to some twice that of a fit for each vertex.
 
   The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
   the systems of equations magnify the rounding of the coordinates.
@@ -80,7 +82,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`2`}
       \cgalParamExtra{Of \f$ r \f$ rings, the \f$ \max(6 r (r + 1), 48) \f$ nearest vertices take part, twice as many as a
-                      regular mesh has; with exact normals \f$ \max(13 r (r + 1) / 3, 26) \f$, and farther ones have a part
+                      regular mesh has; with exact normals \f$ \max(11 r (r + 1) / 3, 22) \f$, and farther ones have a part
                       where the nearest aren't spread over the surface, as at the poles of a sphere of longitudes.}
       \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
                       less than 5 neighbors, up to two rings are added.}
@@ -90,7 +92,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{whether the function that was fitted at a vertex may serve the vertices near it as well}
       \cgalParamType{`bool`}
       \cgalParamDefault{`true`}
-      \cgalParamExtra{`false` takes two to three times as long, and gives each vertex what it would get if it was asked for
+      \cgalParamExtra{`false` takes two to four times as long, and gives each vertex what it would get if it was asked for
                       alone, whatever the order of the input. Only with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{radial_basis_function}

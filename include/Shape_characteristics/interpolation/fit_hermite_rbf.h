@@ -7,6 +7,7 @@
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
@@ -50,7 +51,7 @@ template <typename ConcurrencyTag>
 class Hermite_rbf_fitter
 {
 public:
-  using Output = std::function<void(std::size_t, const Local_implicit_surface&)>;
+  using Output = Hermite_fit_output;
 
   template <typename NamedParameters>
   explicit Hermite_rbf_fitter(const NamedParameters& np)
@@ -115,7 +116,9 @@ private:
     }
     const Fit fit(surface, phi, options);
     Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        size, [&](const std::size_t i, typename Fit::Workspace& workspace) { output(i, fit(i, workspace)); },
+        size,
+        [&](const std::size_t i, typename Fit::Workspace& workspace)
+        { output.surface(i, fit(i, workspace)); },
         callback_of(0, 1));
   }
 
@@ -129,7 +132,9 @@ private:
     typename Fit::Options options;
     options.normals_are_exact = m_normals_are_exact;
     options.fits_are_shared = m_fits_are_shared && size == surface.size();
-    const std::size_t patch_size = Sample_patches::patch_size_for(size);
+    // Fits to exact normals take little time and reach far: there are enough of them in half as many patches.
+    const std::size_t patch_size =
+        m_normals_are_exact ? Sample_patches::patch_size_for(size, 4) : Sample_patches::patch_size_for(size);
     Sample_patches patches = options.fits_are_shared ? Sample_patches::compact(surface, patch_size)
                                                      : Sample_patches(size, patch_size);
     std::size_t passes = 1;
@@ -174,7 +179,7 @@ private:
         points[i] += local.displacement;
       normals[i] = moves ? local.gradient.normalized() : surface.normal(i);
     };
-    if(!for_each_patch<ConcurrencyTag>(fit, surface.size(), patches, move, callback_of(pass, passes)))
+    if(!for_each_patch<ConcurrencyTag>(fit, surface.size(), patches, {move}, callback_of(pass, passes)))
       return false;
     for(std::size_t i = 0; i < surface.size(); ++i)
       surface.set_point(i, points[i]);
@@ -253,7 +258,7 @@ std::vector<Result> fit_hermite_rbf(SampledSurface& surface,
   std::vector<Result> results(size);
   internal::for_each_hermite_rbf_fit<ConcurrencyTag>(
       surface, size,
-      [&](const std::size_t i, const Local_implicit_surface& local) { results[i] = transform(i, local); },
+      {[&](const std::size_t i, const Local_implicit_surface& local) { results[i] = transform(i, local); }},
       np);
   return results;
 }

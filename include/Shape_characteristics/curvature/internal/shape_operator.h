@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_SHAPE_OPERATOR_H
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_SHAPE_OPERATOR_H
 
+#include <Shape_characteristics/internal/Shape_operator_eigen.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 
 #include <Eigen/Core>
@@ -14,22 +15,6 @@
 
 namespace Shape_characteristics {
 namespace internal {
-
-// Principal curvatures (convex positive, min <= max) and unit directions, orthogonal to each other and to the normal.
-// All members are NaN if the input was not finite or didn't determine a tangent plane.
-struct Shape_operator_eigen
-{
-  double min_curvature = std::numeric_limits<double>::quiet_NaN();
-  double max_curvature = std::numeric_limits<double>::quiet_NaN();
-  Eigen::Vector3d min_direction = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  Eigen::Vector3d max_direction = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-
-  bool is_finite() const noexcept
-  {
-    return std::isfinite(min_curvature) && std::isfinite(max_curvature) && min_direction.allFinite() &&
-           max_direction.allFinite();
-  }
-};
 
 // l n - m^2 with an error of 1.5 units in the last place (Kahan), whatever cancels
 inline double determinant(double l, double m, double n) noexcept
@@ -72,14 +57,13 @@ inline std::pair<double, double> eigenvalues_of_shape_operator(double l, double 
   const int exponent = exponent_of_shape_operator(l, m, n);
   const double mean = 0.5 * (l + n), delta = 0.5 * (l - n);
   const double radius = std::sqrt(delta * delta + m * m);
-  double k_min = mean - radius, k_max = mean + radius;
-  if(radius > 0.5 * std::abs(mean)) // else nothing cancels
-  {
-    if(mean > 0)
-      k_min = determinant(l, m, n) / k_max;
-    else if(mean < 0)
-      k_max = determinant(l, m, n) / k_min;
-  }
+  // The larger one in magnitude is a sum, the other one a difference, or a quotient where that would cancel. Both are
+  // computed: which one it is can't be foreseen.
+  const double large = mean + std::copysign(radius, mean);
+  const double others[] = {mean - std::copysign(radius, mean),
+                           determinant(l, m, n) / (large != 0. ? large : 1.)};
+  const double other = others[radius > 0.5 * std::abs(mean) && mean != 0.];
+  const double k_min = (std::min)(other, large), k_max = (std::max)(other, large);
   if(exponent != 0)
     return {std::ldexp(k_min, exponent), std::ldexp(k_max, exponent)};
   return {k_min, k_max};
@@ -106,15 +90,10 @@ inline Shape_operator_eigen eigen_of_shape_operator(const Eigen::Vector3d& norma
   const double radius = std::sqrt(delta * delta + m * m);
 
   // (radius + delta, m) and (m, radius - delta) are parallel; take the one that is the sum of two positive terms
-  double c = 1, s = 0;
-  if(radius > 0)
-  {
-    c = delta >= 0 ? radius + delta : m;
-    s = delta >= 0 ? m : radius - delta;
-    const double length = std::sqrt(c * c + s * s);
-    c /= length;
-    s /= length;
-  }
+  const double along = radius > 0 ? radius + std::abs(delta) : 1., across = m;
+  const double length = std::sqrt(along * along + across * across);
+  const double unit[] = {along / length, across / length};
+  const double c = unit[delta < 0], s = unit[delta >= 0];
   result.max_direction = c * t1 + s * t2;
   result.min_direction = normal.cross(result.max_direction);
   return result;

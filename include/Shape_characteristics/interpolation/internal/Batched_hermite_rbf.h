@@ -5,6 +5,7 @@
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -67,9 +67,7 @@ class Batched_hermite_rbf
   };
 
 public:
-  // Called for each sample with its fit. Not a type of the caller's: all this is compiled once for a surface and a basis
-  // function.
-  using Output = std::function<void(std::size_t, const Local_implicit_surface&)>;
+  using Output = Hermite_fit_output;
 
   struct Options
   {
@@ -112,7 +110,7 @@ public:
   }
 
   /*
-    Fits the samples of a patch and calls `output(i, local_surface)` for each. `is_served` is scratch memory, a number for
+    Fits the samples of a patch and gives each fit to `output`. `is_served` is scratch memory, a number for
     each sample of the surface, zero before the call; other patches read and write other parts of it.
   */
   void operator()(const Sample_patches& patches,
@@ -203,11 +201,19 @@ public:
   }
 
 private:
-  // Samples that are served by the fit of another, as well as by one of their own: near its center (in units of the
-  // neighborhood's size), where the surface bends little. The next center is sought farther away.
-  static constexpr double s_served_distance = 0.75, s_rim = 1.25;
-  static constexpr double s_served_cosine = 0.97;      // of the angle between their normals
-  static constexpr double s_served_curvature = 2.;     // largest there, in units of the inverse size
+  // Samples that are served by the fit of another, as well as by one of their own: near its center, where the surface bends
+  // little.
+  struct Reach
+  {
+    double distance; // in units of the neighborhood's size
+    double rim;      // the next center is sought farther away
+    double cosine;   // of the angle between their normals
+  };
+  static constexpr Reach s_exact_reach = {1., 1.6, 0.94}, s_noisy_reach = {0.75, 1.25, 0.97};
+  static constexpr double s_served_curvature = 2.; // largest there, in units of the inverse size
+  // Of exact normals, only the direction is data, but at the center, where the gradient has length 1. Beside it, it has nearly that
+  // length if the normals are those of a surface, and shrinks if they are not.
+  static constexpr double s_served_length = 0.2;       // largest difference to 1
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
@@ -236,6 +242,7 @@ private:
     if(sum.norm() > s_imbalance * double(neighborhood.points.size()))
       return;
     const auto number = Index(workspace.m_tasks.size() - 1);
+    const Reach& reach = m_options.normals_are_exact ? s_exact_reach : s_noisy_reach;
     for(std::size_t n = 1; n < neighborhood.samples.size(); ++n)
     {
       const Index j = neighborhood.samples[n];
@@ -243,14 +250,14 @@ private:
       if(nearest == nullptr)
         continue;
       const double squared_distance = neighborhood.points[n].squaredNorm();
-      if(squared_distance < s_served_distance * s_served_distance &&
-         neighborhood.normals[n].dot(neighborhood.normals[0]) > s_served_cosine)
+      if(squared_distance < reach.distance * reach.distance &&
+         neighborhood.normals[n].dot(neighborhood.normals[0]) > reach.cosine)
       {
         is_served[j] = 1;
         if(squared_distance < nearest->squared_distance)
           *nearest = {squared_distance, number, Index(n)};
       }
-      else if(squared_distance > s_rim * s_rim && !is_served[j])
+      else if(squared_distance > reach.rim * reach.rim && !is_served[j])
         workspace.m_rim.push_back(j);
     }
   }
@@ -293,7 +300,7 @@ private:
         Scaled_neighborhood::desired, is_exact);
     if(!is_estimated(status))
     {
-      output(i, failure(status));
+      output.surface(i, failure(status));
       return false;
     }
     Task task = store(neighborhood, workspace);
@@ -482,22 +489,22 @@ private:
     const Served served = workspace.m_served[task.first_served + s];
     const bool is_solved = workspace.m_batch.is_positive_definite[lane] != 0.;
     const double unit = task.shape_parameter;
-    const Hermite_jet jet = workspace.m_batch.jet_of(lane);
+    const Vector gradient = workspace.m_batch.gradient_of(lane);
     Fit_quality quality = workspace.m_batch.quality_of(lane);
     quality.largest_curvature *= unit;
     bool is_surface = false, is_accepted = false;
-    if(is_solved && jet.gradient.allFinite() && jet.hessian.allFinite())
+    if(is_solved && std::isfinite(quality.gradient_length) && std::isfinite(quality.largest_curvature))
     {
       if(m_options.normals_are_exact)
         is_accepted = Exact_fit_attempts::is_surface(
-            quality, jet.gradient.dot(workspace.m_normals[task.first_point + served.point]));
+            quality, gradient.dot(workspace.m_normals[task.first_point + served.point]));
       else
       {
         is_surface = Noisy_fit_attempts::is_surface(quality, displacement);
         is_accepted = is_surface && Noisy_fit_attempts::is_plausible(quality);
       }
     }
-    if(s > 0 && !(is_accepted && quality.largest_curvature < s_served_curvature))
+    if(s > 0 && !(is_accepted && may_serve(quality)))
     {
       workspace.m_left.push_back(served.sample);
       return;
@@ -512,16 +519,30 @@ private:
       if(go_on)
         workspace.m_next_tasks.push_back(again);
       else
-        output(served.sample, failure(Estimation_status::DEGENERATE));
+        output.surface(served.sample, failure(Estimation_status::DEGENERATE));
       return;
     }
 
+    const Estimation_status status = m_surface.status(served.sample);
+    const double factor = unit / task.scale;
+    if(output.curvatures)
+    {
+      output.curvatures(served.sample, status, workspace.m_batch.curvatures_of(lane, factor));
+      return;
+    }
     Local_implicit_surface result;
-    result.status = m_surface.status(served.sample);
-    result.gradient = jet.gradient;
-    result.hessian = jet.hessian * (unit / task.scale);
+    result.status = status;
+    result.gradient = gradient;
+    result.hessian = workspace.m_batch.jet_of(lane).hessian * factor;
     result.displacement = task.scale * displacement;
-    output(served.sample, result);
+    output.surface(served.sample, result);
+  }
+
+  // of what a fit is at a sample beside its center
+  bool may_serve(const Fit_quality& quality) const
+  {
+    return quality.largest_curvature < s_served_curvature &&
+           (!m_options.normals_are_exact || std::abs(quality.gradient_length - 1.) < s_served_length);
   }
 
   const SampledSurface& m_surface;

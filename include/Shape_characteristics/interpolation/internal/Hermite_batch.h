@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
 
+#include <Shape_characteristics/internal/Shape_operator_eigen.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
@@ -113,12 +114,16 @@ public:
   {
     Hermite_jet result;
     result.value = get(jet, 0, lane);
-    for(std::size_t c = 0; c < 3; ++c)
-      result.gradient[Eigen::Index(c)] = get(jet, 1 + c, lane);
+    result.gradient = gradient_of(lane);
     const double xx = get(jet, 4, lane), xy = get(jet, 5, lane), xz = get(jet, 6, lane),
                  yy = get(jet, 7, lane), yz = get(jet, 8, lane), zz = get(jet, 9, lane);
     result.hessian << xx, xy, xz, xy, yy, yz, xz, yz, zz;
     return result;
+  }
+
+  Eigen::Vector3d gradient_of(std::size_t lane) const
+  {
+    return {get(jet, 1, lane), get(jet, 2, lane), get(jet, 3, lane)};
   }
 
   // of what was evaluated in a lane; its curvature is that of the scaled points
@@ -130,10 +135,23 @@ public:
     return quality;
   }
 
+  // of the level set of what was evaluated in a lane, times `factor`; curvatures and directions otherwise are those of the
+  // scaled points
+  Shape_operator_eigen curvatures_of(std::size_t lane, double factor) const
+  {
+    Shape_operator_eigen result;
+    result.min_curvature = factor * get(jet, 12, lane);
+    result.max_curvature = factor * get(jet, 13, lane);
+    result.min_direction = {get(jet, 14, lane), get(jet, 15, lane), get(jet, 16, lane)};
+    result.max_direction = {get(jet, 17, lane), get(jet, 18, lane), get(jet, 19, lane)};
+    return result;
+  }
+
   // first number of panel `p` of the matrix: of four rows of the lower triangle, column by column
   [[gnu::always_inline]] static std::size_t panel(std::size_t p) { return 8 * p * (p + 1); }
 
-  static constexpr std::size_t s_jet = 12; // value, gradient, upper triangle of the Hessian matrix, quality
+  // value, gradient, upper triangle of the Hessian matrix, quality, principal curvatures and directions
+  static constexpr std::size_t s_jet = 20;
 
   std::size_t number_of_equations = 0, panels = 0;
   bool wants_log_likelihood = false;

@@ -7,6 +7,7 @@
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
 #include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -135,24 +136,26 @@ public:
       jet[8] = yz;
       jet[9] = zz;
 
-      // Fit_quality says what this is
-      const V squared_length = gx * gx + gy * gy + gz * gz + 1e-280;
-      V inverse_length, inverse_root;
+      const V squared_length = gx * gx + gy * gy + gz * gz + s_least_square;
+      V inverse_length;
       inverse_sqrt(squared_length, inverse_length);
-      const V nx = gx * inverse_length, ny = gy * inverse_length, nz = gz * inverse_length;
-      const V ix = xx * nx + xy * ny + xz * nz, iy = xy * nx + yy * ny + yz * nz,
-              iz = xz * nx + yz * ny + zz * nz;
-      const V along_normal = nx * ix + ny * iy + nz * iz;
-      V square = (xx * xx + yy * yy + zz * zz) + 2. * (xy * xy + xz * xz + yz * yz) -
-                 2. * (ix * ix + iy * iy + iz * iz) + along_normal * along_normal;
-      square = square > 1e-280 ? square : V{} + 1e-280;
-      inverse_sqrt(square, inverse_root);
       jet[10] = squared_length * inverse_length;
-      jet[11] = square * inverse_root * inverse_length;
+      const V normal[3] = {gx * inverse_length, gy * inverse_length, gz * inverse_length};
+      V u[3], v[3];
+      find_tangents(normal, u, v);
+      const V ux = xx * u[0] + xy * u[1] + xz * u[2], uy = xy * u[0] + yy * u[1] + yz * u[2],
+              uz = xz * u[0] + yz * u[1] + zz * u[2];
+      const V vx = xx * v[0] + xy * v[1] + xz * v[2], vy = xy * v[0] + yy * v[1] + yz * v[2],
+              vz = xz * v[0] + yz * v[1] + zz * v[2];
+      find_curvatures(normal, u, v, V((u[0] * ux + u[1] * uy + u[2] * uz) * inverse_length),
+                      V((u[0] * vx + u[1] * vy + u[2] * vz) * inverse_length),
+                      V((v[0] * vx + v[1] * vy + v[2] * vz) * inverse_length), jet + 11);
     }
   }
 
 private:
+  static constexpr double s_least_square = 1e-280; // what inverse_sqrt() takes; is nothing beside others
+
   [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
   // 1 where a lane has center `i`
@@ -244,28 +247,70 @@ private:
     Height_polynomial<V> height;
   };
 
-  // tangent_basis() of each normal
-  [[gnu::always_inline]] static void find_tangents(Hermite_batch& batch)
+  // tangent_basis()
+  [[gnu::always_inline]] static void find_tangents(const V* normal, V* t1, V* t2)
   {
-    V* const tangents = vectors(batch.tangents);
+    const V x = normal[0], y = normal[1], z = normal[2];
     V one;
     set_lanes(one, 1.);
+    const V x_or_y = y != 0. ? y : x;
+    const V decisive = z != 0. ? z : x_or_y;
+    const V sign = decisive < 0. ? -one : one;
+    const V a = -1. / (sign + z), b = x * y * a;
+    t1[0] = 1. + sign * x * x * a;
+    t1[1] = sign * b;
+    t1[2] = -sign * x;
+    t2[0] = b;
+    t2[1] = sign + y * y * a;
+    t2[2] = -y;
+  }
+
+  // of each normal
+  [[gnu::always_inline]] static void find_tangents(Hermite_batch& batch)
+  {
+    const V* const normals = vectors(batch.normals);
+    V* const tangents = vectors(batch.tangents);
     for(std::size_t i = 0; i < batch.centers(); ++i)
-    {
-      const V* const normal = vectors(batch.normals) + 3 * i;
-      const V x = normal[0], y = normal[1], z = normal[2];
-      const V x_or_y = y != 0. ? y : x;
-      const V decisive = z != 0. ? z : x_or_y;
-      const V sign = decisive < 0. ? -one : one;
-      const V a = -1. / (sign + z), b = x * y * a;
-      V* const t = tangents + 6 * i;
-      t[0] = 1. + sign * x * x * a;
-      t[1] = sign * b;
-      t[2] = -sign * x;
-      t[3] = b;
-      t[4] = sign + y * y * a;
-      t[5] = -y;
-    }
+      find_tangents(normals + 3 * i, tangents + 6 * i, tangents + 6 * i + 3);
+  }
+
+  // the root of a square, and of 0
+  [[gnu::always_inline]] static void square_root(const V& square, V& root)
+  {
+    const V usable = square + s_least_square;
+    V inverse;
+    inverse_sqrt(usable, inverse);
+    root = square * inverse;
+  }
+
+  // eigen_of_shape_operator(), of [uu uv; uv vv] in the tangents u and v: its Frobenius norm, the smaller eigenvalue, the larger
+  // one, and their directions. What cancels is left to cancel: a fit is not that exact.
+  [[gnu::always_inline]] static void
+  find_curvatures(const V* normal, const V* u, const V* v, const V& uu, const V& uv, const V& vv, V* result)
+  {
+    const V mean = 0.5 * (uu + vv), delta = 0.5 * (uu - vv);
+    V radius, length;
+    square_root(V(delta * delta + uv * uv), radius);
+    square_root(V(uu * uu + vv * vv + 2. * uv * uv), result[0]);
+    result[1] = mean - radius;
+    result[2] = mean + radius;
+    // (radius + delta, uv) and (uv, radius - delta) are parallel; take the one that is the sum of two positive terms
+    V one;
+    set_lanes(one, 1.);
+    const V magnitude = delta < 0. ? -delta : delta;
+    V along = radius + magnitude, across = uv;
+    along = radius > 1e-140 ? along : one;
+    inverse_sqrt(V(along * along + across * across), length);
+    along *= length;
+    across *= length;
+    const V c = delta < 0. ? across : along, s = delta < 0. ? along : across;
+    V* const min_direction = result + 3;
+    V* const max_direction = result + 6;
+    for(std::size_t k = 0; k < 3; ++k)
+      max_direction[k] = c * u[k] + s * v[k];
+    for(std::size_t k = 0; k < 3; ++k)
+      min_direction[k] =
+          normal[(k + 1) % 3] * max_direction[(k + 2) % 3] - normal[(k + 2) % 3] * max_direction[(k + 1) % 3];
   }
 
   // trend_of_exact_fit()
@@ -448,28 +493,88 @@ private:
     fill_last_panel(batch);
   }
 
-  // tile -= rows * columns^T, over `length` columns: `columns` of the four columns, beginning with `begin`
-  template <int begin, std::size_t... k>
+  /*
+    Some rows of a tile, all at once because they are in registers meanwhile: entry `k` of the sequence is that in column `k % 4` of
+    row `first + k / 4`. What the columns before the tile (`length` of them) have to do with it is subtracted: `rows` are those
+    of the tile, `columns` those of the corner above, whose factor then divides it.
+  */
+  template <int first, std::size_t... k>
   [[gnu::always_inline]] static void
-  update(const V* rows, const V* columns, std::size_t length, V* tile, std::index_sequence<k...>)
+  find_rows(const V* rows, const V* columns, std::size_t length, V* tile, std::index_sequence<k...>)
   {
-    constexpr std::size_t width = sizeof...(k) / 4;
-    V sum[] = {tile[4 * (begin + k % width) + k / width]...};
+    V sums[] = {tile[4 * (k % 4) + first + k / 4]...};
     for(std::size_t c = 0; c < length; ++c, rows += 4, columns += 4)
-      ((sum[k] -= rows[k / width] * columns[begin + k % width]), ...);
-    ((tile[4 * (begin + k % width) + k / width] = sum[k]), ...);
+      ((sums[k] -= rows[first + k / 4] * columns[k % 4]), ...);
+    const V* const corner = columns;
+    for(std::size_t r = 0; r < sizeof...(k) / 4; ++r)
+    {
+      V* const x = sums + 4 * r;
+      x[0] = x[0] * corner[0];
+      x[1] = (x[1] - x[0] * corner[1]) * corner[5];
+      x[2] = (x[2] - x[0] * corner[2] - x[1] * corner[6]) * corner[10];
+      x[3] = (x[3] - x[0] * corner[3] - x[1] * corner[7] - x[2] * corner[11]) * corner[15];
+    }
+    ((tile[4 * (k % 4) + first + k / 4] = sums[k]), ...);
   }
 
-  // as many columns at once as there are registers for their sums
-  [[gnu::always_inline]] static void update_tile(const V* rows, const V* columns, std::size_t length, V* tile)
+  // the tile of panel `p` below the corner of panel `q`, as many rows at once as there are registers for
+  [[gnu::always_inline]] static void find_tile(V* matrix, std::size_t p, std::size_t q)
   {
+    const V* const rows = matrix + Hermite_batch::panel(p);
+    const V* const columns = matrix + Hermite_batch::panel(q);
+    V* const tile = matrix + Hermite_batch::panel(p) + 16 * q;
     if constexpr(n == 8)
-      update<0>(rows, columns, length, tile, std::make_index_sequence<16>());
+      find_rows<0>(rows, columns, 4 * q, tile, std::make_index_sequence<16>());
     else
     {
-      update<0>(rows, columns, length, tile, std::make_index_sequence<8>());
-      update<2>(rows, columns, length, tile, std::make_index_sequence<8>());
+      find_rows<0>(rows, columns, 4 * q, tile, std::make_index_sequence<8>());
+      find_rows<2>(rows, columns, 4 * q, tile, std::make_index_sequence<8>());
     }
+  }
+
+  // the corner of panel `p`, with inverse diagonal: entry (r, c) at 4 c + r
+  [[gnu::always_inline]] static void find_corner(V* matrix, std::size_t p, V& ok, const V& one)
+  {
+    const V* const own = matrix + Hermite_batch::panel(p);
+    V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
+    V l00 = corner[0], l10 = corner[1], l20 = corner[2], l30 = corner[3], l11 = corner[5], l21 = corner[6],
+      l31 = corner[7], l22 = corner[10], l32 = corner[11], l33 = corner[15];
+    for(const V* a = own; a != corner; a += 4)
+    {
+      l00 -= a[0] * a[0];
+      l10 -= a[1] * a[0];
+      l20 -= a[2] * a[0];
+      l30 -= a[3] * a[0];
+      l11 -= a[1] * a[1];
+      l21 -= a[2] * a[1];
+      l31 -= a[3] * a[1];
+      l22 -= a[2] * a[2];
+      l32 -= a[3] * a[2];
+      l33 -= a[3] * a[3];
+    }
+    invert_pivot(l00, ok, one);
+    l10 *= l00;
+    l20 *= l00;
+    l30 *= l00;
+    l11 -= l10 * l10;
+    invert_pivot(l11, ok, one);
+    l21 = (l21 - l20 * l10) * l11;
+    l31 = (l31 - l30 * l10) * l11;
+    l22 = l22 - l20 * l20 - l21 * l21;
+    invert_pivot(l22, ok, one);
+    l32 = (l32 - l30 * l20 - l31 * l21) * l22;
+    l33 = l33 - l30 * l30 - l31 * l31 - l32 * l32;
+    invert_pivot(l33, ok, one);
+    corner[0] = l00;
+    corner[1] = l10;
+    corner[2] = l20;
+    corner[3] = l30;
+    corner[5] = l11;
+    corner[6] = l21;
+    corner[7] = l31;
+    corner[10] = l22;
+    corner[11] = l32;
+    corner[15] = l33;
   }
 
   // Cholesky's method, and both substitutions. The diagonal of the factor is inverted.
@@ -480,50 +585,20 @@ private:
     V ok, one;
     set_lanes(ok, 1.);
     set_lanes(one, 1.);
-    for(std::size_t p = 0; p < batch.panels; ++p)
+    // Two corners at a time: the rows below are read from far away once for both.
+    for(std::size_t first = 0; first < batch.panels; first += 2)
     {
-      const V* const own = matrix + Hermite_batch::panel(p);
-      V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
-      update_tile(own, own, 4 * p, corner);
-
-      // the corner: entry (r, c) at 4 c + r
-      const V& l00 = corner[0];
-      invert_pivot(corner[0], ok, one);
-      corner[1] *= l00;
-      corner[2] *= l00;
-      corner[3] *= l00;
-      corner[5] -= corner[1] * corner[1];
-      invert_pivot(corner[5], ok, one);
-      corner[6] = (corner[6] - corner[2] * corner[1]) * corner[5];
-      corner[7] = (corner[7] - corner[3] * corner[1]) * corner[5];
-      corner[10] = corner[10] - corner[2] * corner[2] - corner[6] * corner[6];
-      invert_pivot(corner[10], ok, one);
-      corner[11] = (corner[11] - corner[3] * corner[2] - corner[7] * corner[6]) * corner[10];
-      corner[15] = corner[15] - corner[3] * corner[3] - corner[7] * corner[7] - corner[11] * corner[11];
-      invert_pivot(corner[15], ok, one);
-
-      substitute_forward(own, corner, p, solution);
-
-      const V i0 = corner[0], i1 = corner[5], i2 = corner[10], i3 = corner[15];
-      const V l10 = corner[1], l20 = corner[2], l30 = corner[3], l21 = corner[6], l31 = corner[7],
-              l32 = corner[11];
-      for(std::size_t q = p + 1; q < batch.panels; ++q)
+      const std::size_t next = (std::min)(first + 2, batch.panels);
+      for(std::size_t p = first; p < next; ++p)
       {
-        const V* const rows = matrix + Hermite_batch::panel(q);
-        V* const tile = matrix + Hermite_batch::panel(q) + 16 * p;
-        update_tile(rows, own, 4 * p, tile);
-        for(int r = 0; r < 4; ++r)
-        {
-          const V x0 = tile[r] * i0;
-          const V x1 = (tile[4 + r] - x0 * l10) * i1;
-          const V x2 = (tile[8 + r] - x0 * l20 - x1 * l21) * i2;
-          const V x3 = (tile[12 + r] - x0 * l30 - x1 * l31 - x2 * l32) * i3;
-          tile[r] = x0;
-          tile[4 + r] = x1;
-          tile[8 + r] = x2;
-          tile[12 + r] = x3;
-        }
+        if(p != first)
+          find_tile(matrix, p, first);
+        find_corner(matrix, p, ok, one);
+        substitute_forward(matrix, p, solution);
       }
+      for(std::size_t p = next; p < batch.panels; ++p)
+        for(std::size_t q = first; q < next; ++q)
+          find_tile(matrix, p, q);
     }
     if(batch.wants_log_likelihood)
       find_log_likelihood(batch);
@@ -540,9 +615,10 @@ private:
     inverse_sqrt(usable, pivot);
   }
 
-  [[gnu::always_inline]] static void
-  substitute_forward(const V* rows, const V* corner, std::size_t p, V* solution)
+  [[gnu::always_inline]] static void substitute_forward(const V* matrix, std::size_t p, V* solution)
   {
+    const V* const rows = matrix + Hermite_batch::panel(p);
+    const V* const corner = rows + 16 * p;
     V* const mine = solution + 4 * p;
     V y0 = mine[0], y1 = mine[1], y2 = mine[2], y3 = mine[3];
     for(std::size_t c = 0; c < 4 * p; ++c)

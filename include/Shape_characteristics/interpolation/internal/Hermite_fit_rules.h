@@ -182,7 +182,7 @@ inline std::size_t largest_neighborhood(const Neighborhood& neighborhood, bool i
   if(neighborhood.kind() != Neighborhood::Kind::RINGS)
     return (std::numeric_limits<std::size_t>::max)();
   const std::size_t rings = neighborhood.count(), regular = 3 * rings * (rings + 1);
-  return is_exact ? (std::max)(13 * regular / 9, std::size_t(26)) : (std::max)(2 * regular, std::size_t(48));
+  return is_exact ? (std::max)(11 * regular / 9, std::size_t(22)) : (std::max)(2 * regular, std::size_t(48));
 }
 
 // a step of Newton's method from `displacement` towards the zero set

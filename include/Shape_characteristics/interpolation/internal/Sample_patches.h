@@ -1,12 +1,15 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SAMPLE_PATCHES_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SAMPLE_PATCHES_H
 
+#include <Shape_characteristics/internal/large_pages.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -28,10 +31,10 @@ public:
 
   // Enough patches for all threads, and large ones: their rims cost. Powers of two, so that some samples more or less mostly
   // don't move the limits of the patches.
-  static std::size_t patch_size_for(std::size_t number_of_samples)
+  static std::size_t patch_size_for(std::size_t number_of_samples, std::size_t least_number_of_patches = 8)
   {
     std::size_t size = 512;
-    while(size < 2048 && 16 * size <= number_of_samples)
+    while(size < 2048 && 2 * size * least_number_of_patches <= number_of_samples)
       size *= 2;
     return size;
   }
@@ -88,7 +91,7 @@ public:
   // whether the sample has its place between `begin` and `end`, the limits of a patch that has grown
   bool is_between(Index sample, std::size_t begin, std::size_t end) const
   {
-    return sample < m_places.size() && place(sample) >= begin && place(sample) < end;
+    return sample < m_size_of_surface && place(sample) >= begin && place(sample) < end;
   }
   std::size_t place(Index sample) const { return m_places[sample].load(std::memory_order_relaxed); }
 
@@ -100,12 +103,14 @@ private:
                  std::size_t patch_size,
                  Grow grow)
     : m_patch_size(patch_size),
-      m_samples(number_of_samples),
-      m_places(size_of_surface),
+      m_size_of_surface(size_of_surface),
+      m_places(new std::atomic<Index>[size_of_surface]),
       m_grow(std::move(grow))
   {
-    for(std::atomic<Index>& place : m_places)
-      place.store((std::numeric_limits<Index>::max)(), std::memory_order_relaxed);
+    resize_in_large_pages(m_samples, number_of_samples);
+    ask_for_large_pages(m_places.get(), size_of_surface * sizeof(std::atomic<Index>));
+    for(std::size_t i = 0; i < size_of_surface; ++i)
+      m_places[i].store((std::numeric_limits<Index>::max)(), std::memory_order_relaxed);
   }
 
   // the samples between these places
@@ -115,10 +120,10 @@ private:
       m_places[m_samples[place]].store(Index(place), std::memory_order_relaxed);
   }
 
-  std::size_t m_patch_size;
+  std::size_t m_patch_size, m_size_of_surface;
   std::vector<Index> m_samples;
-  std::vector<std::atomic<Index> > m_places; // read for samples of other patches, too, while those grow
-  Grow m_grow;                               // none: all is there
+  std::unique_ptr<std::atomic<Index>[]> m_places; // read for samples of other patches, too, while those grow
+  Grow m_grow;                                    // none: all is there
   std::vector<Index> m_patch;
   std::size_t m_number_of_grown = 0;
   std::mutex m_mutex;

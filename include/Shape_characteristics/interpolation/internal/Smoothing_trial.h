@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -223,11 +224,12 @@ private:
       height = (std::min)((std::max)(height, -limit), limit);
   }
 
-  void
-  for_each_of(const std::vector<Index>& samples, const Fit& fit, const typename Fit::Output& output) const
+  void for_each_of(const std::vector<Index>& samples,
+                   const Fit& fit,
+                   const std::function<void(std::size_t, const Local_implicit_surface&)>& output) const
   {
     Sample_patches patches(samples, m_surface.size(), Sample_patches::patch_size_for(samples.size()));
-    for_each_patch<ConcurrencyTag>(fit, m_surface.size(), patches, output);
+    for_each_patch<ConcurrencyTag>(fit, m_surface.size(), patches, {output});
   }
 
   static constexpr std::size_t s_clusters = 32, s_cluster_size = 128;
