@@ -54,9 +54,10 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   surface that is sampled coarsely looks a little noisy as well; where it is known to be clean, `noise_level(0)` is better. At
   sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing beside it.
 
-  A function that was fitted at a vertex also serves vertices near it, where the surface bends little: see
-  `fits_are_shared`. Which vertices have a fit of their own follows from the order of the vertices and from the edges; so
-  it changes with the order of the input. The mean error is up to some twice that of a fit for each vertex.
+  A function that was fitted at a vertex also serves vertices near it, where the surface bends little, and where normals that
+  are said to be exact fit together: see `fits_are_shared`. Which vertices have a fit of their own follows from the order of
+  the vertices and from the edges; so it changes with the order of the input. The mean error is up to some twice that of a
+  fit for each vertex.
 
   The results follow scaling by powers of two to the last bit, other scalings and rigid motions to about a millionth:
   the systems of equations magnify the rounding of the coordinates.
