@@ -2,6 +2,7 @@
 #include "estimators.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
 #include <Shape_characteristics/curvature/boschiroli_curvatures.h>
 #include <Shape_characteristics/curvature/goldfeather_interrante_curvatures.h>
@@ -74,6 +75,18 @@ Estimator hrbf_estimated(unsigned int rings)
             on_threads(threads, [&](auto tag)
                        { SC::hrbf_curvatures<decltype(tag)>(w.mesh, outputs(w).number_of_rings(rings)); });
           }};
+}
+
+// It isn't told what the normals are.
+void adaptive(Workload& w, unsigned int threads)
+{
+  on_threads(threads,
+             [&](auto tag) { SC::adaptive_curvatures<decltype(tag)>(w.mesh, outputs_and_normals(w)); });
+}
+
+void adaptive_estimated(Workload& w, unsigned int threads)
+{
+  on_threads(threads, [&](auto tag) { SC::adaptive_curvatures<decltype(tag)>(w.mesh, outputs(w)); });
 }
 
 void rusinkiewicz(Workload& w, unsigned int threads)
@@ -246,6 +259,8 @@ const std::vector<Estimator>& estimators()
       hrbf_exact(3),
       hrbf_estimated(2),
       hrbf_exact_nearest(18),
+      {"adaptive, exact normals", "2 to 4 rings", true, adaptive},
+      {"adaptive, estimated normals", "2 to 4 rings", true, adaptive_estimated},
       thesis_path(2),
       {"Rusinkiewicz", "1 ring", false, rusinkiewicz},
       {"tangent space", "1 ring", false, tangent_space},
