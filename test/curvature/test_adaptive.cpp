@@ -196,6 +196,30 @@ double largest_weight(const Data& data)
   return sum / double(choices.size());
 }
 
+// How many statistics of every seventh sample have other bits if they alone are asked for.
+template <typename Samples, typename Make_surface>
+std::size_t changes_by_restriction(const Make_surface& make_surface)
+{
+  using Statistics = SC::internal::Adaptive_statistics<CGAL::Parallel_if_available_tag, Samples>;
+  Statistics all(make_surface, {}, false), some(make_surface, {}, false);
+  std::vector<typename Statistics::Index> samples;
+  for(std::size_t i = 0; i < all.size() / 3; i += 7)
+    samples.push_back(typename Statistics::Index(i));
+  some.restrict_to(samples);
+  std::size_t changes = 0, computed = 0;
+  for(std::size_t s = 0; s < SC::internal::number_of_adaptive_statistics; ++s)
+  {
+    const auto name = SC::internal::Adaptive_statistic(s);
+    for(const auto i : samples)
+      changes += all.statistic(name)[i] != some.statistic(name)[i];
+  }
+  for(std::size_t c = 0; c < SC::internal::number_of_adaptive_candidates; ++c)
+    for(const SC::internal::Fitted_sample& fit : some.field(Choice(c)))
+      computed += SC::is_estimated(fit.status);
+  BOOST_TEST(computed < all.size() * SC::internal::number_of_adaptive_candidates / 2);
+  return changes;
+}
+
 const std::vector<Analytic_surface>& surfaces()
 {
   static const std::vector<Analytic_surface> list = {test_support::torus(1., .4, 36, 18, .2, 3),
@@ -273,6 +297,31 @@ BOOST_AUTO_TEST_CASE(blend)
   BOOST_TEST(std::exp(of_largest_weight / number) < .99);
   BOOST_TEST(std::exp(of_hrbf / number) < .67);
   BOOST_TEST(std::exp(of_told / number) < .34);
+}
+
+// Where some samples need a closer look, the others are left alone; no bit shows it.
+BOOST_AUTO_TEST_CASE(restriction)
+{
+  for(const double noise : {0., .08})
+  {
+    const Data data(surfaces().front(), Given::ESTIMATED, noise);
+    const auto changes_of_mesh = changes_by_restriction<SC::Face_graph_samples>(
+        [&](const unsigned int rings)
+        {
+          return SC::sampled_surface(data.mesh, SC::Neighborhood::rings(rings),
+                                     SC::parameters::vertex_normal_map(data.normals));
+        });
+    BOOST_TEST(changes_of_mesh == 0u, "mesh, noise " << noise);
+    const auto range = vertices(data.mesh);
+    const std::vector<Vertex> points(range.begin(), range.end());
+    const auto changes_of_points = changes_by_restriction<SC::Point_set_samples>(
+        [&](const unsigned int rings)
+        {
+          return SC::sampled_surface(points, SC::Neighborhood::nearest(3 * rings * (rings + 1)),
+                                     SC::parameters::point_map(data.mesh.points()).normal_map(data.normals));
+        });
+    BOOST_TEST(changes_of_points == 0u, "points, noise " << noise);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(threads)
@@ -485,6 +534,29 @@ BOOST_AUTO_TEST_CASE(callback)
 }
 
 // hrbf_curvatures(): normals that are more exact than the points
+// Each fit takes a quarter of what is left of the progress: it tells how many there were.
+BOOST_AUTO_TEST_CASE(exact_normals_need_two_fits)
+{
+  const auto progress_before_the_end = [](const Data& data)
+  {
+    double progress = 0.;
+    SC::adaptive_curvatures(data.mesh, SC::parameters::vertex_normal_map(data.normals)
+                                           .callback(
+                                               [&](const double p)
+                                               {
+                                                 if(p < 1.)
+                                                   progress = (std::max)(progress, p);
+                                                 return true;
+                                               }));
+    return progress;
+  };
+  const Analytic_surface fine = test_support::torus(1., .4, 120, 60, .2, 4),
+                         coarse = test_support::torus(1., .4, 24, 12, .2, 4);
+  const double of_two_fits = 1. - .75 * .75;
+  BOOST_TEST(progress_before_the_end(Data(fine, Given::EXACT, 0.)) == of_two_fits);
+  BOOST_TEST(progress_before_the_end(Data(coarse, Given::ESTIMATED, 0.)) > of_two_fits);
+}
+
 BOOST_AUTO_TEST_CASE(normal_noise_level)
 {
   const Data data(surfaces()[0], Given::EXACT, .05);

@@ -59,8 +59,8 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   - how far the points were moved by smoothing them, and whether to one side,
   - how much the surface bends between samples, how irregular they are, and the likeliest noise level.
 
-  Where the first of these says that normals are exact beyond doubt, nothing else is asked; elsewhere mostly one or two have
-  a part in the average. Those with less than a fiftieth of the largest weight have none.
+  Where the first of these, or that and the noise level, say that normals are exact beyond doubt, nothing else is asked; elsewhere
+  mostly one or two have a part in the average. Those with less than a fiftieth of the largest weight have none.
 
   Level sets that marching cubes take from a coarse grid are its weak point: they are off in the same direction for some vertices,
   which four rings hardly tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a
@@ -95,8 +95,9 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
 
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
-  Complexity: linear in the number of vertices. Where normals are exact beyond doubt everywhere, two fits are made at each
-  vertex, else up to seventeen, half of them over four rings: milliseconds a vertex on one processor.
+  Complexity: linear in the number of vertices. Where normals are exact beyond doubt, two fits are made at a vertex: tens of
+  microseconds on one processor. Elsewhere, and some rings around, it is up to seventeen, half of them over four rings: milliseconds.
+  The results of eleven of them are kept at the same time, which takes some two kilobytes a vertex.
 
   \cgalExample{curvature/adaptive_curvatures.cpp}
 */
@@ -141,8 +142,8 @@ std::size_t adaptive_curvatures(const FaceGraph& mesh,
   \cgalNamedParamsEnd
 
   The noise level is estimated from the surroundings of the vertex alone, some ten edges wide, and points farther away aren't
-  smoothed. Where normals are exact beyond doubt, neither has a part in the answer, and the result has the bits of the
-  whole mesh's.
+  smoothed. Where normals are exact beyond doubt, that says nothing but that they are, and the result has the bits of the whole
+  mesh's.
 
   \return whether the curvatures were estimated, or why not
 

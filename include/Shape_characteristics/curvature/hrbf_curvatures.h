@@ -24,7 +24,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
 {
   Large_array<Curvature_estimate> estimates(size, ConcurrencyTag());
   for_each_hermite_rbf_fit<ConcurrencyTag>(
-      surface, size,
+      surface, size, {},
       {[&](const std::size_t i, const Local_implicit_surface& local)
        {
          estimates[i] =

@@ -10,6 +10,7 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
+#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
@@ -20,7 +21,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -45,12 +46,14 @@ unsigned int reach_of_hermite_rbf(const NamedParameters& np)
   return static_cast<unsigned int>((std::max)(passes_over_noise, passes));
 }
 
-// Fits of the samples `0, ..., size - 1` of `surface`, whose others only lend a hand. `output` is called with each of them,
-// by several threads at a time, but not with those before which the callback stopped.
+// Fits of the samples `0, ..., size - 1` of `surface`, whose others only lend a hand, or of those of them that are in `only`, if it
+// isn't empty. `output` is called with each of them, by several threads at a time, but not with those before which the callback
+// stopped.
 template <typename ConcurrencyTag>
 class Hermite_rbf_fitter
 {
 public:
+  using Index = Sample_patches::Index;
   using Output = Hermite_fit_output;
 
   template <typename NamedParameters>
@@ -90,12 +93,13 @@ public:
   void operator()(SampledSurface& surface,
                   const RadialBasisFunction& phi,
                   std::size_t size,
+                  const std::vector<Index>& only,
                   const Output& output) const
   {
     if constexpr(RadialBasisFunction::is_positive_definite)
-      fit_positive_definite(surface, phi, size, output);
+      fit_positive_definite(surface, phi, size, only, output);
     else
-      fit_indefinite(surface, phi, size, output);
+      fit_indefinite(surface, phi, size, only, output);
   }
 
 private:
@@ -103,6 +107,7 @@ private:
   void fit_indefinite(const SampledSurface& surface,
                       const RadialBasisFunction& phi,
                       std::size_t size,
+                      const std::vector<Index>& only,
                       const Output& output) const
   {
     using Fit = Local_hermite_rbf<SampledSurface, RadialBasisFunction>;
@@ -116,9 +121,12 @@ private:
     }
     const Fit fit(surface, phi, options);
     Shape_characteristics::for_each_sample<ConcurrencyTag, typename Fit::Workspace>(
-        size,
-        [&](const std::size_t i, typename Fit::Workspace& workspace)
-        { output.surface(i, fit(i, workspace)); },
+        only.empty() ? size : only.size(),
+        [&](const std::size_t k, typename Fit::Workspace& workspace)
+        {
+          const std::size_t i = only.empty() ? k : only[k];
+          output.surface(i, fit(i, workspace));
+        },
         callback_of(0, 1));
   }
 
@@ -126,17 +134,19 @@ private:
   void fit_positive_definite(SampledSurface& surface,
                              const RadialBasisFunction& phi,
                              std::size_t size,
+                             const std::vector<Index>& only,
                              const Output& output) const
   {
     using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
     typename Fit::Options options;
     options.normals_are_exact = m_normals_are_exact;
-    options.fits_are_shared = m_fits_are_shared && size == surface.size();
+    options.fits_are_shared = m_fits_are_shared && size == surface.size() && only.empty();
     // Fits to exact normals take little time and reach far: there are enough of them in half as many patches.
     const std::size_t patch_size =
         m_normals_are_exact ? Sample_patches::patch_size_for(size, 4) : Sample_patches::patch_size_for(size);
     Sample_patches patches = options.fits_are_shared ? Sample_patches::compact(surface, patch_size)
-                                                     : Sample_patches(size, patch_size);
+                             : only.empty()          ? Sample_patches(size, patch_size)
+                                                     : Sample_patches(only, surface.size(), patch_size);
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
@@ -151,15 +161,44 @@ private:
             Smoothing_trial<ConcurrencyTag, SampledSurface, RadialBasisFunction>(surface, size, phi, options)
                 .part();
     }
-    // where a single sample is asked for, its neighbors are smoothed as well
-    std::optional<Sample_patches> of_all;
-    if(passes > 1 && size < surface.size())
-      of_all.emplace(surface.size(), Sample_patches::patch_size_for(surface.size()));
     for(std::size_t pass = 0; pass + 1 < passes; ++pass)
-      if(!denoise(surface, Fit(surface, phi, options), of_all ? *of_all : patches, pass, passes))
+    {
+      const Fit fit(surface, phi, options);
+      const bool goes_on =
+          only.empty() && size == surface.size()
+              ? denoise(surface, fit, patches, pass, passes)
+              : denoise(surface, fit, *patches_around(surface, size, only, passes - 1 - pass), pass, passes);
+      if(!goes_on)
         return;
+    }
     for_each_patch<ConcurrencyTag>(Fit(surface, phi, options), surface.size(), patches, output,
                                    callback_of(passes - 1, passes));
+  }
+
+  // The samples whose places have a part in the last pass, if so many are to follow: where a single sample is asked for, all.
+  template <typename SampledSurface>
+  static std::unique_ptr<Sample_patches> patches_around(const SampledSurface& surface,
+                                                        std::size_t size,
+                                                        const std::vector<Index>& only,
+                                                        std::size_t passes)
+  {
+    const std::size_t patch_size = Sample_patches::patch_size_for(surface.size());
+    if(only.empty() || size < surface.size())
+      return std::make_unique<Sample_patches>(surface.size(), patch_size);
+    std::vector<unsigned char> has_part(surface.size(), 0);
+    std::vector<Index> samples = only;
+    for(const Index i : samples)
+      has_part[i] = 1;
+    typename SampledSurface::Workspace workspace;
+    for(std::size_t begin = 0; passes > 0; --passes)
+      for(const std::size_t end = samples.size(); begin != end; ++begin)
+        for(const Index j : surface.neighbors(samples[begin], Scaled_neighborhood::nearest, workspace))
+          if(!has_part[j])
+          {
+            has_part[j] = 1;
+            samples.push_back(j);
+          }
+    return std::make_unique<Sample_patches>(samples, surface.size(), patch_size);
   }
 
   // moves the samples, and turns their normals, to the fitted surfaces
@@ -171,13 +210,17 @@ private:
                std::size_t passes) const
   {
     std::vector<Eigen::Vector3d> points(surface.size()), normals(surface.size());
+    for(std::size_t i = 0; i < surface.size(); ++i)
+    {
+      points[i] = surface.point(i);
+      normals[i] = surface.normal(i);
+    }
     const auto move = [&](const std::size_t i, const Local_implicit_surface& local)
     {
-      const bool moves = is_estimated(local.status);
-      points[i] = surface.point(i);
-      if(moves)
-        points[i] += local.displacement;
-      normals[i] = moves ? local.gradient.normalized() : surface.normal(i);
+      if(!is_estimated(local.status))
+        return;
+      points[i] += local.displacement;
+      normals[i] = local.gradient.normalized();
     };
     if(!for_each_patch<ConcurrencyTag>(fit, surface.size(), patches, {move}, callback_of(pass, passes)))
       return false;
@@ -209,6 +252,7 @@ private:
 template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>
 void for_each_hermite_rbf_fit(SampledSurface& surface,
                               std::size_t size,
+                              const std::vector<Sample_patches::Index>& only,
                               const typename Hermite_rbf_fitter<ConcurrencyTag>::Output& output,
                               const NamedParameters& np)
 {
@@ -218,11 +262,11 @@ void for_each_hermite_rbf_fit(SampledSurface& surface,
 
   const Hermite_rbf_fitter<ConcurrencyTag> fitter(np);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::radial_basis_function_t>::value)
-    fitter(surface, get_parameter(np, internal_np::radial_basis_function), size, output);
+    fitter(surface, get_parameter(np, internal_np::radial_basis_function), size, only, output);
   else if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))
-    fitter(surface, Inverse_multiquadric(), size, output);
+    fitter(surface, Inverse_multiquadric(), size, only, output);
   else
-    fitter(surface, Matern_9_2(), size, output);
+    fitter(surface, Matern_9_2(), size, only, output);
 }
 
 } // namespace internal
@@ -257,7 +301,7 @@ std::vector<Result> fit_hermite_rbf(SampledSurface& surface,
 {
   std::vector<Result> results(size);
   internal::for_each_hermite_rbf_fit<ConcurrencyTag>(
-      surface, size,
+      surface, size, {},
       {[&](const std::size_t i, const Local_implicit_surface& local) { results[i] = transform(i, local); }},
       np);
   return results;

@@ -23,12 +23,13 @@ struct Adaptive_estimates
 };
 
 // Blends the estimators at each sample, in proportion to exp(-score). Where normals are exact beyond doubt, nothing else is
-// asked for.
+// asked for, and of the other fits only those are made that have a part elsewhere.
 template <typename ConcurrencyTag, typename SampledSurface>
 class Adaptive_estimator
 {
   using Statistics = Adaptive_statistics<ConcurrencyTag, SampledSurface>;
   using Choice = Adaptive_estimator_choice;
+  using Index = typename Statistics::Index;
   using Fields = std::array<const Fitted_field*, number_of_adaptive_candidates>;
   using Scores = std::array<double, number_of_adaptive_candidates>;
 
@@ -39,9 +40,12 @@ public:
   Adaptive_estimates operator()()
   {
     Adaptive_estimates result = no_estimates();
-    const std::vector<std::size_t> others = take_exact_ones(result);
+    const std::vector<Index> others = take_exact_ones(result);
     if(!others.empty() && !m_statistics.is_cancelled())
+    {
+      m_statistics.restrict_to(others);
       blend(others, result);
+    }
     if(m_statistics.is_cancelled()) // all or nothing: what would be chosen isn't known
       result = no_estimates();
     m_statistics.finish();
@@ -58,29 +62,35 @@ private:
   }
 
   // returns the samples that are to be estimated otherwise
-  std::vector<std::size_t> take_exact_ones(Adaptive_estimates& result)
+  std::vector<Index> take_exact_ones(Adaptive_estimates& result)
   {
-    std::vector<std::size_t> others;
+    std::vector<Index> others;
     const std::vector<float>& exact_angles = m_statistics.statistic(Adaptive_statistic::EXACT_3_ANGLES);
     const std::vector<float>& points_angles = m_statistics.statistic(Adaptive_statistic::POINTS_3_ANGLES);
     if(m_statistics.is_cancelled())
       return others;
+    const std::vector<float>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
     const Fitted_field& exact = m_statistics.field(Choice::EXACT_3_RINGS);
     for(std::size_t i = 0; i < m_size; ++i)
     {
       const Estimation_status status = m_statistics.surface().status(i);
       if(!is_estimated(status))
         result.estimates[i] = Curvature_estimate(status);
-      else if(double(exact_angles[i] - points_angles[i]) < adaptive_exactness &&
-              is_estimated(exact[i].status))
+      else if(is_estimated(exact[i].status) && is_exact(exact_angles[i], points_angles[i], noise[i]))
         take(exact[i], Choice::EXACT_3_RINGS, i, result);
       else
-        others.push_back(i);
+        others.push_back(Index(i));
     }
     return others;
   }
 
-  void blend(const std::vector<std::size_t>& samples, Adaptive_estimates& result)
+  static bool is_exact(float exact_angle, float points_angle, float noise)
+  {
+    return double(exact_angle - points_angle) < adaptive_exactness ||
+           agree_as_exact_ones(double(exact_angle), double(points_angle), double(noise));
+  }
+
+  void blend(const std::vector<Index>& samples, Adaptive_estimates& result)
   {
     std::array<const std::vector<float>*, adaptive_score_statistics.size()> statistics;
     for(std::size_t k = 0; k < statistics.size(); ++k)
@@ -90,7 +100,7 @@ private:
       fields[c] = &m_statistics.field(Choice(c));
     if(m_statistics.is_cancelled())
       return;
-    for(const std::size_t i : samples)
+    for(const Index i : samples)
     {
       Scores scores = adaptive_score_weights[0];
       for(std::size_t k = 0; k < statistics.size(); ++k)

@@ -35,6 +35,18 @@ inline double adaptive_share(double distance)
   return (std::max)((std::exp(-distance) - least) / (1. - least), 0.);
 }
 
+// Whether points and given normals agree with a fit to both of them as well as with one that hardly looks at normals, and as only exact
+// ones do: by decimal logarithms of the angles by which they are off, and of the noise level. Normals of the faces are off by more
+// than that difference. Where the level isn't the least one, the smaller one of the angles keeps all noise out but that of single
+// precision.
+inline bool agree_as_exact_ones(double exact_angle, double points_angle, double noise)
+{
+  constexpr double no_noise = -5.9, largest_angle = -4.5, largest_angle_without_noise = -3.,
+                   largest_difference = .3;
+  return exact_angle < (noise < no_noise ? largest_angle_without_noise : largest_angle) &&
+         exact_angle - points_angle < largest_difference;
+}
+
 /*
   What there is to be known of a sample and its surroundings, without units: lengths are in units of the size h of the
   nearest neighbors, curvatures in those of 1 / h. All but the last ones are decimal logarithms of means over the neighbors.
@@ -115,10 +127,11 @@ class Adaptive_statistics
 {
   using Choice = Adaptive_estimator_choice;
   using Name = Adaptive_statistic;
-  using Index = std::uint32_t;
   using Vector = Eigen::Vector3d;
 
 public:
+  using Index = std::uint32_t;
+
   // makes the surface with neighborhoods of so many rings, or as many neighbors
   using Make_surface = std::function<SampledSurface(unsigned int)>;
 
@@ -153,6 +166,30 @@ public:
     if(m_noise_level < 0.)
       m_noise_level = Noise_probes<SampledSurface>(m_surface).level(Matern_9_2());
     return m_noise_level;
+  }
+
+  // From now on, statistics are asked for of these samples alone: what has no part in them needn't be computed.
+  void restrict_to(std::vector<Index> samples)
+  {
+    std::vector<unsigned char> has_part(m_size, 0);
+    for(const Index i : samples)
+      has_part[i] = 1;
+    const auto with_neighbors = [&](std::vector<Index> some, const std::size_t nearest)
+    {
+      for(std::size_t k = 0, end = some.size(); k < end; ++k)
+        for(std::size_t l = 0; l < (std::min)(nearest, m_neighbors[some[k]].size()); ++l)
+          if(const Index j = m_neighbors[some[k]][l]; j < m_size && !has_part[j])
+          {
+            has_part[j] = 1;
+            some.push_back(j);
+          }
+      std::sort(some.begin(), some.end());
+      return some;
+    };
+    m_asked_for = std::move(samples);
+    m_known = with_neighbors(m_asked_for, s_pool);
+    m_fitted = with_neighbors(m_known, s_edges);
+    m_is_restricted = true;
   }
 
   // a part of it, but not less than points without noise have
@@ -276,9 +313,12 @@ private:
         m_is_cancelled = m_is_cancelled || !m_callback(begin + length * advancement);
         return !m_is_cancelled;
       };
-    Fitted_field result = fit_hermite_rbf<ConcurrencyTag, Fitted_sample>(
-        surface, m_size,
-        [](std::size_t, const Local_implicit_surface& local) { return Fitted_sample(local); },
+    // Which samples a shared fit serves depends on all that are asked for.
+    const bool is_restricted = m_is_restricted && !m_fits_are_shared;
+    Fitted_field result(m_size);
+    for_each_hermite_rbf_fit<ConcurrencyTag>(
+        surface, m_size, is_restricted ? m_fitted : std::vector<Index>(),
+        {[&](const std::size_t i, const Local_implicit_surface& local) { result[i] = Fitted_sample(local); }},
         np.fits_are_shared(m_fits_are_shared).callback(callback));
     m_progress = begin + length;
     return result;
@@ -354,26 +394,25 @@ private:
   std::vector<float> pooled(const std::vector<double>& values, double least = least_noise_level) const
   {
     std::vector<float> result(m_size, logarithm(std::numeric_limits<double>::infinity()));
-    for_each_sample<ConcurrencyTag, No_workspace>(m_size,
-                                                  [&](const std::size_t i, No_workspace&)
-                                                  {
-                                                    double sum = 0.;
-                                                    std::size_t number = 0;
-                                                    const auto add = [&](const std::size_t j)
-                                                    {
-                                                      if(j < m_size && std::isfinite(values[j]))
-                                                      {
-                                                        sum += values[j];
-                                                        ++number;
-                                                      }
-                                                    };
-                                                    add(i);
-                                                    for(const Index j : m_neighbors[i])
-                                                      add(j);
-                                                    if(number > 0)
-                                                      result[i] =
-                                                          logarithm(std::abs(sum) / double(number), least);
-                                                  });
+    for_each_of(m_asked_for,
+                [&](const std::size_t i)
+                {
+                  double sum = 0.;
+                  std::size_t number = 0;
+                  const auto add = [&](const std::size_t j)
+                  {
+                    if(j < m_size && std::isfinite(values[j]))
+                    {
+                      sum += values[j];
+                      ++number;
+                    }
+                  };
+                  add(i);
+                  for(const Index j : m_neighbors[i])
+                    add(j);
+                  if(number > 0)
+                    result[i] = logarithm(std::abs(sum) / double(number), least);
+                });
     return result;
   }
 
@@ -381,13 +420,22 @@ private:
   std::vector<double> of_each(const Function& function) const
   {
     std::vector<double> result(m_size, std::numeric_limits<double>::quiet_NaN());
-    for_each_sample<ConcurrencyTag, No_workspace>(m_size,
-                                                  [&](const std::size_t i, No_workspace&)
-                                                  {
-                                                    if(m_sizes[i] > 0.)
-                                                      result[i] = function(i);
-                                                  });
+    for_each_of(m_known,
+                [&](const std::size_t i)
+                {
+                  if(m_sizes[i] > 0.)
+                    result[i] = function(i);
+                });
     return result;
+  }
+
+  // these samples, or all as long as nothing is restricted
+  template <typename Function>
+  void for_each_of(const std::vector<Index>& samples, const Function& function) const
+  {
+    for_each_sample<ConcurrencyTag, No_workspace>(m_is_restricted ? samples.size() : m_size,
+                                                  [&](const std::size_t k, No_workspace&)
+                                                  { function(m_is_restricted ? samples[k] : k); });
   }
 
   // root mean square over the edges at each sample of what `function` makes of two fits and the edge
@@ -493,6 +541,10 @@ private:
   std::vector<std::vector<Index> > m_neighbors; // the nearest ones of two rings
   std::vector<double> m_sizes;                  // root mean square distance of the nearest ones of them
   double m_noise_level = -1.;                   // negative: not known yet
+  bool m_is_restricted = false;                 // to the following:
+  std::vector<Index> m_asked_for;               // of which statistics are asked for,
+  std::vector<Index> m_known;                   // what they are means of,
+  std::vector<Index> m_fitted;                  // and what is known of those is made of
   std::array<Fitted_field, number_of_adaptive_candidates> m_fields;
   std::array<std::vector<float>, number_of_adaptive_statistics> m_statistics;
 };
