@@ -1,6 +1,7 @@
 // Curvatures by the estimators that suit the data, without saying what kind of data it is: a mesh with exact normals,
 // with none, and with noise on its points; and which of them had the largest weight. The mesh is an ellipsoid, whose
 // curvatures are known.
+#include "../support/Progress_bar.h"
 #include "../support/data_file.h"
 
 #include <Shape_characteristics/characteristics/mean_curvature.h>
@@ -68,7 +69,7 @@ int main()
 
   SC::adaptive_curvatures(mesh, outputs.vertex_normal_map(exact_normal));
   const double of_exact_normals = report("exact normals");
-  SC::adaptive_curvatures(mesh, outputs);
+  SC::adaptive_curvatures(mesh, outputs.callback(support::Progress_bar("no normals"))); // the longer steps
   const double of_points = report("no normals");
 
   // one vertex alone: the results are written to variables
@@ -82,7 +83,7 @@ int main()
   std::normal_distribution<double> noise(0., .003);
   for(Vertex w : mesh.vertices())
     mesh.point(w) = mesh.point(w) + Kernel::Vector_3(noise(random), noise(random), noise(random));
-  SC::adaptive_curvatures(mesh, outputs);
+  SC::adaptive_curvatures(mesh, outputs.callback(support::Progress_bar("noise")));
   const double of_noise = report("no normals, noisy points");
 
   return SC::is_estimated(status) && of_exact_normals < 1e-4 && of_points < 1e-4 && of_noise < .02

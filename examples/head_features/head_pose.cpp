@@ -9,6 +9,7 @@
 #include "../support/Drawable.h"
 #include "../support/Mesh_renderer.h"
 #include "../support/Ply_file.h"
+#include "../support/Progress_bar.h"
 #include "../support/data_file.h"
 
 #include <Shape_characteristics/head_features/estimate_head_pose.h>
@@ -85,7 +86,7 @@ int run(int argc, char* argv[])
   if(!CGAL::IO::read_polygon_mesh(file, mesh))
     throw std::runtime_error("not a mesh: " + file);
 
-  const Pose pose = SC::estimate_head_pose(mesh);
+  const Pose pose = SC::estimate_head_pose(mesh, SC::parameters::callback(support::Progress_bar("pose")));
   std::cout << name(pose.verdict) << ", confidence " << pose.confidence << '\n'
             << "to the frame of the head:\n"
             << pose.transformation << '\n'

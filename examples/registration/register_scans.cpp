@@ -7,6 +7,7 @@
 #include "../support/Drawable.h"
 #include "../support/Mesh_renderer.h"
 #include "../support/Ply_file.h"
+#include "../support/Progress_bar.h"
 #include "../support/data_file.h"
 
 #include <Shape_characteristics/registration/register_partial_scans.h>
@@ -58,11 +59,12 @@ Scan read(const std::string& file_name)
 // any combination of a mesh and a point set will do
 Result registered(const Scan& source, const Scan& target)
 {
+  const auto np = SC::parameters::callback(support::Progress_bar("registration"));
   if(source.is_mesh())
-    return target.is_mesh() ? SC::register_partial_scans(source.mesh, target.mesh)
-                            : SC::register_partial_scans(source.mesh, target.points);
-  return target.is_mesh() ? SC::register_partial_scans(source.points, target.mesh)
-                          : SC::register_partial_scans(source.points, target.points);
+    return target.is_mesh() ? SC::register_partial_scans(source.mesh, target.mesh, np)
+                            : SC::register_partial_scans(source.mesh, target.points, np);
+  return target.is_mesh() ? SC::register_partial_scans(source.points, target.mesh, np)
+                          : SC::register_partial_scans(source.points, target.points, np);
 }
 
 // adds a scan to a picture, in a colour of its own

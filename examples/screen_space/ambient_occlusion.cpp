@@ -8,6 +8,7 @@
 #include "../support/Image.h"
 #include "../support/Offscreen_context.h"
 #include "../support/Orbit_camera.h"
+#include "../support/Progress_bar.h"
 #include "../support/camera_for.h"
 #include "../support/data_file.h"
 
@@ -155,7 +156,8 @@ int run(const std::vector<std::string>& arguments)
   SC::ray_cast_ambient_occlusion(mesh, g_buffer,
                                  SC::parameters::ambient_occlusion_map(CGAL::make_property_map(truth))
                                      .number_of_rays(rays)
-                                     .maximum_ray_length(reach * diagonal));
+                                     .maximum_ray_length(reach * diagonal)
+                                     .callback(support::Progress_bar("rays")));
 
   support::Contact_sheet sheet;
   SC::Ambient_occlusion_pass occlude;
