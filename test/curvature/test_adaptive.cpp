@@ -533,7 +533,6 @@ BOOST_AUTO_TEST_CASE(callback)
   BOOST_TEST(calls == 3);
 }
 
-// hrbf_curvatures(): normals that are more exact than the points
 // Each fit takes a quarter of what is left of the progress: it tells how many there were.
 BOOST_AUTO_TEST_CASE(exact_normals_need_two_fits)
 {
@@ -557,6 +556,7 @@ BOOST_AUTO_TEST_CASE(exact_normals_need_two_fits)
   BOOST_TEST(progress_before_the_end(Data(coarse, Given::ESTIMATED, 0.)) > of_two_fits);
 }
 
+// hrbf_curvatures(): normals that are more exact than the points
 BOOST_AUTO_TEST_CASE(normal_noise_level)
 {
   const Data data(surfaces()[0], Given::EXACT, .05);

@@ -39,14 +39,10 @@ constexpr std::array<const char*, number_of_statistics> statistic_names = {
     "SMOOTHED_3_MOVES",      "SMOOTHED_3_DRIFT",    "NOISE",
     "IRREGULARITY"};
 
-bool is_exact(const std::array<float, number_of_statistics>& s, double exactness)
+float exactness_of(const std::array<float, number_of_statistics>& s)
 {
   using Name = Shape_characteristics::internal::Adaptive_statistic;
-  const float exact_angle = s[std::size_t(Name::EXACT_3_ANGLES)],
-              points_angle = s[std::size_t(Name::POINTS_3_ANGLES)], noise = s[std::size_t(Name::NOISE)];
-  return double(exact_angle - points_angle) < exactness ||
-         Shape_characteristics::internal::agree_as_exact_ones(double(exact_angle), double(points_angle),
-                                                              double(noise));
+  return s[std::size_t(Name::EXACT_3_ANGLES)] - s[std::size_t(Name::POINTS_3_ANGLES)];
 }
 
 constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::EXACT_3_RINGS);
@@ -221,7 +217,7 @@ private:
     {
       double error = 0.;
       for(const Vertex_record& v : row.vertices)
-        error += is_exact(v.statistics, exactness)
+        error += double(exactness_of(v.statistics)) < exactness
                      ? (std::max)((std::min)(v.errors[exact].sum() / row.best_error, 100.), 1.)
                      : 1.;
       sum += std::log(error / double(row.vertices.size()));
@@ -258,7 +254,11 @@ Calibration_row calibration_row(const Row& row, std::size_t at_most)
 
 Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
 {
-  if(is_exact(vertex.statistics, scores.exactness))
+  using Name = Shape_characteristics::internal::Adaptive_statistic;
+  const std::array<float, number_of_statistics>& s = vertex.statistics;
+  if(Shape_characteristics::internal::normals_are_exact(s[std::size_t(Name::EXACT_3_ANGLES)],
+                                                        s[std::size_t(Name::POINTS_3_ANGLES)],
+                                                        s[std::size_t(Name::NOISE)], scores.exactness))
     return vertex.errors[exact];
   std::array<double, number_of_candidates> score = scores.weights[0];
   for(std::size_t k = 0; k < scores.statistics.size(); ++k)

@@ -76,18 +76,13 @@ private:
       const Estimation_status status = m_statistics.surface().status(i);
       if(!is_estimated(status))
         result.estimates[i] = Curvature_estimate(status);
-      else if(is_estimated(exact[i].status) && is_exact(exact_angles[i], points_angles[i], noise[i]))
+      else if(is_estimated(exact[i].status) &&
+              normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness))
         take(exact[i], Choice::EXACT_3_RINGS, i, result);
       else
         others.push_back(Index(i));
     }
     return others;
-  }
-
-  static bool is_exact(float exact_angle, float points_angle, float noise)
-  {
-    return double(exact_angle - points_angle) < adaptive_exactness ||
-           agree_as_exact_ones(double(exact_angle), double(points_angle), double(noise));
   }
 
   void blend(const std::vector<Index>& samples, Adaptive_estimates& result)

@@ -35,16 +35,17 @@ inline double adaptive_share(double distance)
   return (std::max)((std::exp(-distance) - least) / (1. - least), 0.);
 }
 
-// Whether points and given normals agree with a fit to both of them as well as with one that hardly looks at normals, and as only exact
-// ones do: by decimal logarithms of the angles by which they are off, and of the noise level. Normals of the faces are off by more
-// than that difference. Where the level isn't the least one, the smaller one of the angles keeps all noise out but that of single
-// precision.
-inline bool agree_as_exact_ones(double exact_angle, double points_angle, double noise)
+// Whether normals are exact beyond doubt: a fit to points and given normals agrees with them much better than one that hardly looks at
+// normals (`exactness` is learned), or as well, and as only exact ones do. By decimal logarithms of the angles by which they are
+// off, and of the noise level. Normals of the faces are off by more than the second difference. Where the level isn't the least one,
+// the smaller one of the angles keeps all noise out but that of single precision.
+inline bool normals_are_exact(float exact_angle, float points_angle, float noise, double exactness)
 {
   constexpr double no_noise = -5.9, largest_angle = -4.5, largest_angle_without_noise = -3.,
                    largest_difference = .3;
-  return exact_angle < (noise < no_noise ? largest_angle_without_noise : largest_angle) &&
-         exact_angle - points_angle < largest_difference;
+  const double difference = double(exact_angle - points_angle);
+  const double bound = double(noise) < no_noise ? largest_angle_without_noise : largest_angle;
+  return difference < exactness || (double(exact_angle) < bound && difference < largest_difference);
 }
 
 /*
@@ -168,7 +169,7 @@ public:
     return m_noise_level;
   }
 
-  // From now on, statistics are asked for of these samples alone: what has no part in them needn't be computed.
+  // From now on, statistics are asked for of these samples alone, one at least: what has no part in them needn't be computed.
   void restrict_to(std::vector<Index> samples)
   {
     std::vector<unsigned char> has_part(m_size, 0);
@@ -189,7 +190,6 @@ public:
     m_asked_for = std::move(samples);
     m_known = with_neighbors(m_asked_for, s_pool);
     m_fitted = with_neighbors(m_known, s_edges);
-    m_is_restricted = true;
   }
 
   // a part of it, but not less than points without noise have
@@ -314,10 +314,10 @@ private:
         return !m_is_cancelled;
       };
     // Which samples a shared fit serves depends on all that are asked for.
-    const bool is_restricted = m_is_restricted && !m_fits_are_shared;
+    const std::vector<Index> only = m_fits_are_shared ? std::vector<Index>() : m_fitted;
     Fitted_field result(m_size);
     for_each_hermite_rbf_fit<ConcurrencyTag>(
-        surface, m_size, is_restricted ? m_fitted : std::vector<Index>(),
+        surface, m_size, only,
         {[&](const std::size_t i, const Local_implicit_surface& local) { result[i] = Fitted_sample(local); }},
         np.fits_are_shared(m_fits_are_shared).callback(callback));
     m_progress = begin + length;
@@ -429,13 +429,13 @@ private:
     return result;
   }
 
-  // these samples, or all as long as nothing is restricted
+  // these samples, or all if there are none
   template <typename Function>
   void for_each_of(const std::vector<Index>& samples, const Function& function) const
   {
-    for_each_sample<ConcurrencyTag, No_workspace>(m_is_restricted ? samples.size() : m_size,
+    for_each_sample<ConcurrencyTag, No_workspace>(samples.empty() ? m_size : samples.size(),
                                                   [&](const std::size_t k, No_workspace&)
-                                                  { function(m_is_restricted ? samples[k] : k); });
+                                                  { function(samples.empty() ? k : samples[k]); });
   }
 
   // root mean square over the edges at each sample of what `function` makes of two fits and the edge
@@ -541,10 +541,9 @@ private:
   std::vector<std::vector<Index> > m_neighbors; // the nearest ones of two rings
   std::vector<double> m_sizes;                  // root mean square distance of the nearest ones of them
   double m_noise_level = -1.;                   // negative: not known yet
-  bool m_is_restricted = false;                 // to the following:
-  std::vector<Index> m_asked_for;               // of which statistics are asked for,
-  std::vector<Index> m_known;                   // what they are means of,
-  std::vector<Index> m_fitted;                  // and what is known of those is made of
+  std::vector<Index> m_asked_for;               // samples of which statistics are asked for (empty: all),
+  std::vector<Index> m_known;                   // those that they are means of,
+  std::vector<Index> m_fitted;                  // and those of which it takes fits
   std::array<Fitted_field, number_of_adaptive_candidates> m_fields;
   std::array<std::vector<float>, number_of_adaptive_statistics> m_statistics;
 };
