@@ -9,6 +9,8 @@
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
+#include <Eigen/Core>
+
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
@@ -184,6 +186,41 @@ BOOST_AUTO_TEST_CASE(points_and_ears_of_cropped_heads)
         BOOST_TEST(common >= .9 * double(truth.size()));
       }
     }
+  for(auto& [feature, e] : errors)
+    BOOST_TEST_CONTEXT(SC::to_string(feature))
+    {
+      std::sort(e.begin(), e.end());
+      BOOST_TEST(.5 * (e[5] + e[6]) <= bound(feature).median);
+      BOOST_TEST(e.back() <= bound(feature).greatest);
+    }
+}
+
+// With the pose found as well: it is that of the frame of these heads up to a degree.
+BOOST_AUTO_TEST_CASE(poses_of_cropped_heads)
+{
+  if(!are_there())
+    return;
+  std::map<Head_feature, std::vector<double> > errors;
+  double squares = 0.;
+  for(int id = 1; id <= 12; ++id)
+    BOOST_TEST_CONTEXT("id " << id)
+    {
+      const Given_head given(id, "crop");
+      const Head head = SC::detect_head_features(given.mesh);
+      BOOST_REQUIRE(head.is_head);
+      const double pitch =
+          std::atan2(head.transformation.m(2, 1), head.transformation.m(2, 2)) * 180. / EIGEN_PI;
+      BOOST_TEST(std::abs(pitch) < 1.5);
+      squares += pitch * pitch;
+      for(const auto& [feature, name] : names)
+        BOOST_TEST_CONTEXT(name)
+        {
+          BOOST_REQUIRE(head[feature].is_found);
+          errors[feature].push_back(100. * distance(head[feature].position, given.points.at(name)) /
+                                    given.height);
+        }
+    }
+  BOOST_TEST(std::sqrt(squares / 12.) < .8);
   for(auto& [feature, e] : errors)
     BOOST_TEST_CONTEXT(SC::to_string(feature))
     {

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/head_features/head_descriptors.h>
 #include <Shape_characteristics/head_features/internal/Head_feature_finder.h>
 #include <Shape_characteristics/head_features/internal/Thesis_head_features.h>
+#include <Shape_characteristics/head_features/internal/pitch_of_features.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 
 #include <CGAL/Aff_transformation_3.h>
@@ -157,7 +158,8 @@ std::size_t number_of_thesis_vertices(const Parameter& given, const char* messag
   finds the feature points and the regions of a human head: eyes, nose, mouth and ears (thesis, chapter 9).
 
   The pose of the head is estimated first (`estimate_head_pose()`), unless it is given or the head is said to be aligned. What isn't
-  a head has no features.
+  a head has no features. Of a pose that was estimated, the pitch is corrected by where the features are, and they are found anew in
+  the corrected one: it decides what is highest, and foremost.
 
   `Head_feature_method::SURFACE`, the default, looks at the surface from the front, from above and from both sides. The proportions
   of heads say where a feature is to be looked for, the shape of the surface says where it is: lids end where the ball of the eye,
@@ -289,6 +291,7 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
   // the frame, about where the tip of the nose is in it, and about how high the head is
   Eigen::Vector3d nose = Eigen::Vector3d::Zero();
   double height = 0.;
+  bool is_pose_estimated = false;
   if(is_aligned)
   {
     result.verdict = Head_verdict::HEAD;
@@ -312,7 +315,10 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
   {
     Head_pose<Kernel> pose;
     if constexpr(is_default_parameter<NamedParameters, internal_np::head_pose_t>::value)
+    {
       pose = estimate_head_pose<ConcurrencyTag>(mesh, parameters::vertex_point_map(vpm));
+      is_pose_estimated = true;
+    }
     else
       pose = get_parameter(np, internal_np::head_pose);
     result.verdict = pose.verdict;
@@ -369,8 +375,25 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
   }
 
   head.orient();
-  internal::Head_feature_finder finder(head.surface, nose, height);
-  const internal::Found_head_features found = finder.find();
+  double found_height = 0.;
+  const auto find_features = [&]()
+  {
+    internal::Head_feature_finder finder(head.surface, nose, height);
+    internal::Found_head_features features = finder.find();
+    found_height = finder.height();
+    return features;
+  };
+  internal::Found_head_features found = find_features();
+  if(is_pose_estimated)
+  {
+    // features tell the pitch better than the surface does, and what is highest, or foremost, depends on it
+    const Eigen::Affine3d turn(
+        Eigen::AngleAxisd(-internal::pitch_of_features(found), Eigen::Vector3d::UnitX()));
+    head.transform(turn);
+    nose = turn * nose;
+    result.transformation = internal::affine_to_cgal<Kernel>(head.to_frame);
+    found = find_features();
+  }
   const auto is_sure = [&](const Head_region r) { return found[r].is_found() && found[r].confidence > .2; };
   if(!is_sure(Head_region::LEFT_EYE) && !is_sure(Head_region::RIGHT_EYE) && !is_sure(Head_region::MOUTH))
   {
@@ -383,7 +406,7 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
     return result;
   }
   result.is_head = true;
-  result.head_height = finder.height() / scale;
+  result.head_height = found_height / scale;
   const Eigen::Affine3d back = head.to_frame.inverse();
   for(std::size_t k = 0; k < number_of_head_features; ++k)
   {

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 #include <Shape_characteristics/head_features/internal/Mouth_finder.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -182,7 +183,7 @@ private:
     set(Head_feature::N2, place, tip.is_inside ? 1. : .5);
     return place.position;
   }
-  static constexpr double s_upward = .2;
+  static constexpr double s_upward = .16;
 
   void find_eyes()
   {
@@ -396,38 +397,82 @@ private:
       }
   }
 
+  // The highest point. Where vertices are noisy, it is that of a smoother surface; where they aren't, it is near one of them, as it
+  // is on the surface itself.
   void find_top()
   {
     constexpr double pixel = .008, half = .5;
+    constexpr double least_smoothing = .6, most_smoothing = 4.; // in pixels
+    constexpr double smooth = .0003, rough = .0006; // edges of .03 are up to .0003 off a paraboloid
     const Depth_image above(m_surface, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ(),
                             Eigen::Vector3d::UnitY(), -half, -.2, 2 * half, 1.2, pixel);
-    const Scalar_image height = above.depth().smoothed(2.);
+    Scalar_image height = above.depth().smoothed(most_smoothing);
+    Pixel top = highest(height);
+    const double roughness = roughness_about(above.depth(), top);
+    if(roughness < rough)
+    {
+      const double part = (std::max)(0., (roughness - smooth) / (rough - smooth));
+      height = above.depth().smoothed(least_smoothing + part * (most_smoothing - least_smoothing));
+      top = highest(height);
+    }
+    // the surface must go on to all sides: a cut is no top
+    for(const int reach : {1, 5})
+      for(const auto& [a, b] :
+          {std::pair(reach, 0), std::pair(-reach, 0), std::pair(0, reach), std::pair(0, -reach)})
+        if(!height.has_value(top.i + a, top.j + b))
+          return;
+    const double best = height(top.i, top.j);
+    if(best < .4)
+      return;
+    const double i = top.i +
+                     Face_view::vertex_of_parabola(height(top.i - 1, top.j), best, height(top.i + 1, top.j)),
+                 j = top.j +
+                     Face_view::vertex_of_parabola(height(top.i, top.j - 1), best, height(top.i, top.j + 1));
+    set(Head_feature::TOP, above.point(above.u(i), above.v(j)), plausibility(best - .641, .1));
+  }
+
+  struct Pixel
+  {
+    int i = -1, j = -1;
+  };
+
+  static Pixel highest(const Scalar_image& height)
+  {
+    Pixel result;
     double best = -std::numeric_limits<double>::infinity();
-    int i_best = -1, j_best = -1;
     for(int j = 0; j < height.height(); ++j)
       for(int i = 0; i < height.width(); ++i)
         if(height(i, j) > best)
         {
           best = height(i, j);
-          i_best = i;
-          j_best = j;
+          result = {i, j};
         }
-    if(i_best < 1 || j_best < 1 || i_best + 2 > height.width() || j_best + 2 > height.height())
-      return;
-    const auto at = [&](int i, int j) { return height.has_value(i, j) ? height(i, j) : best; };
-    const double i = i_best +
-                     Face_view::vertex_of_parabola(at(i_best - 1, j_best), best, at(i_best + 1, j_best)),
-                 j = j_best +
-                     Face_view::vertex_of_parabola(at(i_best, j_best - 1), best, at(i_best, j_best + 1));
-    // the surface must go on to all sides: a cut is no top
-    constexpr int reach = 5;
-    for(const auto& [a, b] :
-        {std::pair(reach, 0), std::pair(-reach, 0), std::pair(0, reach), std::pair(0, -reach)})
-      if(!height.has_value(i_best + a, j_best + b))
-        return;
-    if(best < .4)
-      return;
-    set(Head_feature::TOP, above.point(above.u(i), above.v(j)), plausibility(best - .641, .1));
+    return result;
+  }
+
+  // how far `height` is from a paraboloid around `center` (root mean square)
+  static double roughness_about(const Scalar_image& height, const Pixel& center)
+  {
+    constexpr int reach = 8;
+    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
+    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero(), terms;
+    double squares = 0.;
+    int pixels = 0;
+    for(int b = -reach; b <= reach; ++b)
+      for(int a = -reach; a <= reach; ++a)
+        if(height.has_value(center.i + a, center.j + b))
+        {
+          const double x = double(a) / reach, y = double(b) / reach,
+                       z = height(center.i + a, center.j + b) - height(center.i, center.j);
+          terms << 1., x, y, x * x, x * y, y * y;
+          matrix += terms * terms.transpose();
+          right += z * terms;
+          squares += z * z;
+          ++pixels;
+        }
+    if(pixels < 6)
+      return 0.;
+    return std::sqrt((std::max)(0., squares - right.dot(matrix.ldlt().solve(right))) / pixels);
   }
 
   // An ear is the surface behind its outline. What belongs to it at the back, next to the head, is hidden by it.

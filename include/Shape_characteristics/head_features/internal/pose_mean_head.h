@@ -2,7 +2,9 @@
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_MEAN_HEAD_H
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -40,6 +42,7 @@ public:
   }
 
   std::size_t size() const noexcept { return m_points.size(); }
+  const std::vector<Eigen::Vector3d>& points() const noexcept { return m_points; }
   const Eigen::Vector3d& point(const std::size_t i) const { return m_points[i]; }
   const Eigen::Vector3d& normal(const std::size_t i) const { return m_normals[i]; }
   double weight(const std::size_t i) const { return m_weights[i]; }
@@ -55,6 +58,22 @@ public:
   }
   // the tip of the nose
   const Eigen::Vector3d& nose_tip() const { return m_points[0]; }
+
+  // The points with the lower jaw turned down by `angle` about an axis in front of the ears.
+  std::vector<Eigen::Vector3d> with_open_mouth(const double angle) const
+  {
+    const Eigen::Vector3d hinge(0., -.03, .03); // of the jaw
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    std::vector<Eigen::Vector3d> result = m_points;
+    for(Eigen::Vector3d& p : result)
+    {
+      // below a line from the hinge to the corners of the mouth, which go along by half
+      const Eigen::Vector3d q = p - hinge;
+      const double below = -.6 * q.z() - q.y(), part = (std::min)((std::max)(.5 + below / .08, 0.), 1.);
+      p += part * (turn * q - q);
+    }
+    return result;
+  }
 
   static const Mean_head& standard();
 

@@ -182,12 +182,13 @@ public:
   }
 
   /*
-    The mean head, bent onto the surface: displacements that are a smooth random field (of standard deviation `size` and
-    correlation length `width`, in the unit of the frame), as likely as the distances to the surface allow. Only with
-    this, it is known which points of the surface and of the mean head belong together; where they are merely near, a long face
+    The mean head, its points being at `rest`, bent onto the surface: displacements that are a smooth random field (of standard
+    deviation `size` and correlation length `width`, in the unit of the frame), as likely as the distances to the surface allow. Only
+    with this, it is known which points of the surface and of the mean head belong together; where they are merely near, a long face
     tilts the head.
   */
-  std::vector<Eigen::Vector3d> bend(const Head_placement& place) const
+  std::vector<Eigen::Vector3d> bend(const Head_placement& place,
+                                    const std::vector<Eigen::Vector3d>& rest) const
   {
     constexpr double width = .5, size = .03, noise = .01;
     const auto controls = Eigen::Index((std::min)(std::size_t(60), m_head.size())),
@@ -203,9 +204,7 @@ public:
       for(Eigen::Index j = 0; j < controls; ++j)
         for(Eigen::Index c = 0; c < 3; ++c)
           prior(3 * i + c, 3 * j + c) = basis(i, j);
-    std::vector<Eigen::Vector3d> bent;
-    for(std::size_t i = 0; i < m_head.size(); ++i)
-      bent.push_back(m_head.point(i));
+    std::vector<Eigen::Vector3d> bent = rest;
     Eigen::VectorXd row(3 * controls);
     double limit = .1;
     for(int step = 0; step < 10; ++step, limit = (std::max)(.04, limit * .8))
@@ -226,13 +225,13 @@ public:
         for(Eigen::Index k = 0; k < controls; ++k)
           row.segment<3>(3 * k) = basis(Eigen::Index(i), k) * n;
         matrix.selfadjointView<Eigen::Lower>().rankUpdate(row, w);
-        right += w * n.dot(q - m_head.point(i)) * row;
+        right += w * n.dot(q - rest[i]) * row;
       }
       matrix.diagonal().array() += 1e-9 * matrix.trace() / double(3 * controls);
       const Eigen::VectorXd weights = matrix.selfadjointView<Eigen::Lower>().ldlt().solve(right);
       for(std::size_t i = 0; i < m_head.size(); ++i)
       {
-        bent[i] = m_head.point(i);
+        bent[i] = rest[i];
         for(Eigen::Index k = 0; k < controls; ++k)
           bent[i] += basis(Eigen::Index(i), k) * weights.segment<3>(3 * k);
       }
@@ -350,13 +349,7 @@ public:
     return fit;
   }
 
-  Placement_fit assess(const Head_placement& place) const
-  {
-    std::vector<Eigen::Vector3d> points;
-    for(std::size_t i = 0; i < m_head.size(); ++i)
-      points.push_back(m_head.point(i));
-    return assess(place, points);
-  }
+  Placement_fit assess(const Head_placement& place) const { return assess(place, m_head.points()); }
 
   // the best placement: the plane of symmetry is one of `mirrors`, and the tip of the nose is on it
   Placement_fit run(const Mirror_search& search, const std::vector<Mirror_fit>& mirrors) const
@@ -420,14 +413,23 @@ public:
     // the plane of symmetry, the pitch and the size as exactly as they can be had
     Head_placement place = with_mirror_of_face(hypotheses.front().placement, search);
     place = refine(place, m_head.size(), .06, .05, 6, true);
-    place = rectify(place, bend(place));
-    const Placement_fit plain = assess(place);
-    Placement_fit fit = assess(place, bend(place));
-    // how well the head fits as it is counts as well: what has to be bent a lot is rather something else
-    fit.left = .5 * (fit.left + plain.left);
-    fit.right = .5 * (fit.right + plain.right);
-    fit.nose = .5 * (fit.nose + plain.nose);
-    return fit;
+    place = rectify(place, bend(place, m_head.points()));
+    Placement_fit best;
+    for(const double opening : {0., 8., 16.}) // degrees; a smooth bend can't open a mouth
+    {
+      if(.5 * (best.left + best.right) > .8)
+        break; // so it is closed
+      const std::vector<Eigen::Vector3d> rest = m_head.with_open_mouth(opening * EIGEN_PI / 180.);
+      const Placement_fit plain = assess(place, rest);
+      Placement_fit fit = assess(place, bend(place, rest));
+      // how well the head fits as it is counts as well: what has to be bent a lot is rather something else
+      fit.left = .5 * (fit.left + plain.left);
+      fit.right = .5 * (fit.right + plain.right);
+      fit.nose = .5 * (fit.nose + plain.nose);
+      if(best.score < 0. || fit.left + fit.right > best.left + best.right)
+        best = fit;
+    }
+    return best;
   }
 
 private:
