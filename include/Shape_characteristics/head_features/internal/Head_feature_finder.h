@@ -402,7 +402,7 @@ private:
   void find_top()
   {
     constexpr double pixel = .008, half = .5;
-    constexpr double least_smoothing = .6, most_smoothing = 4.; // in pixels
+    constexpr double least_smoothing = .7, most_smoothing = 4.; // in pixels
     constexpr double smooth = .0003, rough = .0006; // edges of .03 are up to .0003 off a paraboloid
     const Depth_image above(m_surface, Eigen::Vector3d::UnitX(), -Eigen::Vector3d::UnitZ(),
                             Eigen::Vector3d::UnitY(), -half, -.2, 2 * half, 1.2, pixel);
