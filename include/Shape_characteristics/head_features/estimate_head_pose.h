@@ -32,7 +32,7 @@ namespace internal {
 
 // Sets verdict, obstacle and confidence. The limits leave room on both sides. Over heads, the agreement of the face with the mean head
 // is .68 to .95, and .6 to .9 where the mouth is open, that of the nose above .5, that of the cranium above .9. Over other
-// shapes, where the cranium agrees by .7 or more, that of the nose is at most .33; elsewhere, that of the face is at most .68.
+// shapes but masks, where the cranium agrees by .7 or more, that of the nose is at most .33; elsewhere, that of the face is at most .68.
 template <typename Kernel>
 void judge_pose(const Placement_fit& fit, const Eigen::Vector3d& upward, Head_pose<Kernel>& pose)
 {
@@ -196,9 +196,9 @@ head_pose_of(const Pose_points& points, const NamedParameters& np, const bool is
     onto the surface: so they don't depend on the jaw, nor on what happens to be highest.
 
   The verdict depends on how well face, nose and cranium agree with the mean head, before and after it is bent, on each side, with
-  its mouth closed or open. Caps
-  and hair cost certainty; a face that is seen from 45° to the side is enough, half a face isn't. As a head may be turned in any way,
-  one that is upside down is fine, and its pose tells so; where the way up is known, say it by `upward_direction`.
+  its mouth closed or open. Caps and hair cost certainty; a face that is seen from 45° to the side is enough, half a face isn't. As a
+  head may be turned in any way, one that is upside down is fine, and its pose tells so; where the way up is known, say it by
+  `upward_direction`.
 
   The frame isn't the one in which another would have placed the head: faces differ, and what is "level" is a matter of
   definition. On heads of ICT-FaceKit that the mean head doesn't contain, pitch differs by some 2° from that model's (root mean
