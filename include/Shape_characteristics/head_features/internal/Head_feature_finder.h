@@ -8,6 +8,7 @@
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 #include <Shape_characteristics/head_features/internal/Mouth_finder.h>
+#include <Shape_characteristics/head_features/internal/Surface_patch.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
@@ -484,12 +485,8 @@ private:
       if(!(outline.certainty() > 0.))
         continue;
       double z_middle = 0.;
-      Eigen::AlignedBox2d box; // z, y
       for(const auto& p : outline.hull())
-      {
-        box.extend(Eigen::Vector2d(p.x(), p.y()));
         z_middle += p.x() / double(outline.hull().size());
-      }
       const auto is_inside = [&](const Eigen::Vector3d& p)
       {
         return side * p.x() > s_least_ear_x &&
@@ -497,35 +494,14 @@ private:
       };
       Found_head_features::Region& region =
           m_found[side < 0 ? Head_region::LEFT_EAR : Head_region::RIGHT_EAR];
-      double x_outer = 0.;
       for(Index v = 0; v < m_surface.points.size(); ++v)
         if(is_inside(m_surface.points[v]))
-        {
           region.vertices.push_back(v);
-          x_outer = std::max(x_outer, side * m_surface.points[v].x());
-        }
       if(region.vertices.empty())
         continue;
-      region.confidence = outline.certainty() * plausibility(box.center().y() - .02, .08);
-
-      const double front = box.max().x(), back = box.min().x() - s_behind_ear, top = box.max().y(),
-                   bottom = box.min().y() - .01;
-      const std::array<Eigen::Vector3d, 4> corners = {
-          Eigen::Vector3d(side * x_outer, top, front), Eigen::Vector3d(side * x_outer, top, back),
-          Eigen::Vector3d(side * x_outer, bottom, front), Eigen::Vector3d(side * x_outer, bottom, back)};
-      const auto feature = [&](std::size_t k)
-      {
-        return static_cast<Head_feature>(
-            static_cast<std::size_t>(side < 0 ? Head_feature::LEFT_R1 : Head_feature::RIGHT_R1) + k);
-      };
-      Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-      for(std::size_t k = 0; k < 4; ++k)
-      {
-        const Surface_point nearest = nearest_point(region.vertices, corners[k]);
-        set(feature(k), nearest, region.confidence);
-        mean += nearest.position / 4.;
-      }
-      set(feature(4), nearest_point(region.vertices, mean), region.confidence);
+      const Ear_box& box = outline.box();
+      region.confidence = outline.certainty() * plausibility(.5 * (box.bottom + box.top) - .02, .08);
+      find_points_of_ear(side, box, region.confidence);
     }
     // the ears of a head are at the same place
     const auto &left = m_found[Head_feature::LEFT_R5], &right = m_found[Head_feature::RIGHT_R5];
@@ -542,60 +518,41 @@ private:
   }
   static constexpr double s_behind_ear = .02, s_least_ear_x = .15;
 
-  // the point nearest to `p` of the triangles that have all their corners in a set
-  Surface_point nearest_point(const std::vector<Index>& vertices, const Eigen::Vector3d& p) const
+  // R1 to R4 are near the corners of the outer side of the ear's box, R5 near the mean of these. Where exactly, the area about the
+  // nearest place says: rims are sharper or rounder as the mesh is.
+  void find_points_of_ear(int side, const Ear_box& box, double confidence)
   {
-    std::vector<bool> is_in(m_surface.points.size(), false);
-    for(const Index v : vertices)
-      is_in[v] = true;
-    Surface_point best;
-    double nearest = std::numeric_limits<double>::infinity();
+    constexpr double width = .003, width_of_middle = .006, spacing = .004;
+    std::vector<std::size_t> triangles;
     for(std::size_t t = 0; t < m_surface.triangles.size(); ++t)
     {
       const auto& [a, b, c] = m_surface.triangles[t];
-      if(!is_in[a] || !is_in[b] || !is_in[c])
-        continue;
-      const Eigen::Vector3d q =
-          closest_point(p, m_surface.points[a], m_surface.points[b], m_surface.points[c]);
-      const double distance = (q - p).squaredNorm();
-      if(distance < nearest)
-      {
-        nearest = distance;
-        best.position = q;
-        best.triangle = t;
-      }
+      const Eigen::Vector3d center = (m_surface.points[a] + m_surface.points[b] + m_surface.points[c]) / 3.;
+      if(side * center.x() > s_least_ear_x && center.y() > box.bottom && center.y() < box.top &&
+         center.z() > box.back && center.z() < box.front)
+        triangles.push_back(t);
     }
-    return best;
-  }
-
-  // of a triangle, to `p`
-  static Eigen::Vector3d closest_point(const Eigen::Vector3d& p,
-                                       const Eigen::Vector3d& a,
-                                       const Eigen::Vector3d& b,
-                                       const Eigen::Vector3d& c)
-  {
-    const Eigen::Vector3d n = (b - a).cross(c - a);
-    const double squared = n.squaredNorm();
-    if(squared > 0.)
+    const Surface_patch ear(m_surface, std::move(triangles), spacing);
+    if(ear.is_empty())
+      return;
+    const std::array<Eigen::Vector3d, 4> corners = {
+        Eigen::Vector3d(side * box.outside, box.top, box.front),
+        Eigen::Vector3d(side * box.outside, box.top, box.back),
+        Eigen::Vector3d(side * box.outside, box.bottom, box.front),
+        Eigen::Vector3d(side * box.outside, box.bottom, box.back)};
+    const auto feature = [&](std::size_t k)
     {
-      const Eigen::Vector3d q = p - n * (n.dot(p - a) / squared);
-      if(n.dot((b - a).cross(q - a)) >= 0. && n.dot((c - b).cross(q - b)) >= 0. &&
-         n.dot((a - c).cross(q - c)) >= 0.)
-        return q;
-    }
-    Eigen::Vector3d best = a;
-    const auto try_edge = [&](const Eigen::Vector3d& s, const Eigen::Vector3d& t)
-    {
-      const double length = (t - s).squaredNorm();
-      const double x = length > 0. ? std::min(std::max((p - s).dot(t - s) / length, 0.), 1.) : 0.;
-      const Eigen::Vector3d q = s + x * (t - s);
-      if((q - p).squaredNorm() < (best - p).squaredNorm())
-        best = q;
+      return static_cast<Head_feature>(
+          static_cast<std::size_t>(side < 0 ? Head_feature::LEFT_R1 : Head_feature::RIGHT_R1) + k);
     };
-    try_edge(a, b);
-    try_edge(b, c);
-    try_edge(c, a);
-    return best;
+    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+    for(std::size_t k = 0; k < 4; ++k)
+    {
+      const Eigen::Vector3d near_corner = ear.mean_near(corners[k], width);
+      set(feature(k), ear.nearest_point(near_corner), confidence);
+      mean += near_corner / 4.;
+    }
+    set(feature(4), ear.nearest_point(ear.mean_near(mean, width_of_middle)), confidence);
   }
 
   // The regions in front are what lies within curves through their points, and not far behind what is seen there.

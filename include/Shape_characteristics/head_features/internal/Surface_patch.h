@@ -1,0 +1,135 @@
+#ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_SURFACE_PATCH_H
+#define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_SURFACE_PATCH_H
+
+#include <Shape_characteristics/head_features/internal/Head_surface.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// Some triangles of a surface, and where they are nearest to a place.
+class Surface_patch
+{
+public:
+  // `spacing`: about how far apart the samples are that stand for the area
+  Surface_patch(const Head_surface& surface, std::vector<std::size_t> triangles, double spacing)
+    : m_surface(&surface),
+      m_triangles(std::move(triangles))
+  {
+    for(const std::size_t t : m_triangles)
+      sample(t, spacing);
+  }
+
+  bool is_empty() const { return m_samples.empty(); }
+
+  // not valid if the patch is empty
+  Surface_point nearest_point(const Eigen::Vector3d& p) const
+  {
+    Surface_point best;
+    double nearest = std::numeric_limits<double>::infinity();
+    for(const std::size_t t : m_triangles)
+    {
+      const auto& [a, b, c] = m_surface->triangles[t];
+      const Eigen::Vector3d q =
+          closest_point(p, m_surface->points[a], m_surface->points[b], m_surface->points[c]);
+      const double distance = (q - p).squaredNorm();
+      if(distance < nearest)
+      {
+        nearest = distance;
+        best.position = q;
+        best.triangle = t;
+      }
+    }
+    return best;
+  }
+
+  // The mean of the area, of which the less counts the farther it is from `p`: e times less for every `width` that it is farther
+  // than the nearest place. No single vertex decides where that is. The patch must not be empty.
+  Eigen::Vector3d mean_near(const Eigen::Vector3d& p, double width) const
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for(const Sample& s : m_samples)
+      nearest = std::min(nearest, (s.position - p).norm());
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double weight = 0.;
+    for(const Sample& s : m_samples)
+    {
+      const double w = s.area * std::exp((nearest - (s.position - p).norm()) / width);
+      sum += w * s.position;
+      weight += w;
+    }
+    return sum / weight;
+  }
+
+private:
+  struct Sample
+  {
+    Eigen::Vector3d position;
+    double area;
+  };
+
+  // the centers of equal parts of a triangle
+  void sample(std::size_t t, double spacing)
+  {
+    const auto& [i, j, k] = m_surface->triangles[t];
+    const Eigen::Vector3d &a = m_surface->points[i], u = m_surface->points[j] - a,
+                          v = m_surface->points[k] - a;
+    const double length = std::max({u.norm(), v.norm(), (u - v).norm()}), area = .5 * u.cross(v).norm();
+    if(!(area > 0.))
+      return;
+    const int parts = int(std::min(std::max(std::ceil(length / spacing), 1.), 20.));
+    for(int y = 0; y < parts; ++y)
+      for(int x = 0; x + y < parts; ++x)
+        for(int half = 0; half < (x + y + 1 < parts ? 2 : 1); ++half)
+          m_samples.push_back(
+              {a + ((x + (half + 1) / 3.) * u + (y + (half + 1) / 3.) * v) / parts, area / (parts * parts)});
+  }
+
+  // of a triangle, to `p`
+  static Eigen::Vector3d closest_point(const Eigen::Vector3d& p,
+                                       const Eigen::Vector3d& a,
+                                       const Eigen::Vector3d& b,
+                                       const Eigen::Vector3d& c)
+  {
+    const Eigen::Vector3d n = (b - a).cross(c - a);
+    const double squared = n.squaredNorm();
+    if(squared > 0.)
+    {
+      const Eigen::Vector3d q = p - n * (n.dot(p - a) / squared);
+      if(n.dot((b - a).cross(q - a)) >= 0. && n.dot((c - b).cross(q - b)) >= 0. &&
+         n.dot((a - c).cross(q - c)) >= 0.)
+        return q;
+    }
+    Eigen::Vector3d best = a;
+    const auto try_edge = [&](const Eigen::Vector3d& s, const Eigen::Vector3d& t)
+    {
+      const double length = (t - s).squaredNorm();
+      const double x = length > 0. ? std::min(std::max((p - s).dot(t - s) / length, 0.), 1.) : 0.;
+      const Eigen::Vector3d q = s + x * (t - s);
+      if((q - p).squaredNorm() < (best - p).squaredNorm())
+        best = q;
+    };
+    try_edge(a, b);
+    try_edge(b, c);
+    try_edge(c, a);
+    return best;
+  }
+
+  const Head_surface* m_surface;
+  std::vector<std::size_t> m_triangles;
+  std::vector<Sample> m_samples;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_SURFACE_PATCH_H
