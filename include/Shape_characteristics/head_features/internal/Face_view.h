@@ -21,7 +21,7 @@ namespace internal {
 class Face_view
 {
 public:
-  static constexpr double pixel = .0015;
+  static constexpr double pixel = .001;
   static constexpr double left = -.45, bottom = -.62, width = .9, height = 1.12;
 
   // `components` numbers the connected parts of the surface, by vertex
@@ -115,7 +115,7 @@ public:
       return here;
     double nearest = std::numeric_limits<double>::infinity();
     int i_best = -1, j_best = -1;
-    constexpr int reach = 8;
+    constexpr int reach = int(.012 / pixel);
     for(int j = j0 - reach; j <= j0 + reach; ++j)
       for(int i = i0 - reach; i <= i0 + reach; ++i)
       {
