@@ -142,7 +142,7 @@ private:
   }
 
   // Where single folds end depends on the mesh, where most of them are doesn't: the box is that of nine tenths of all folds along
-  // either axis, and wider by what lies beyond them on ears.
+  // either axis, and wider by what lies beyond them on the ears of twelve heads.
   Ear_box box(const Scalar_image& curvature, const std::vector<std::pair<int, int> >& ear) const
   {
     constexpr double weakest = 15., strongest = 40.; // curvature of what is a fold not at all, and wholly
@@ -169,10 +169,10 @@ private:
     const double first = -m_side * m_image.u(quantile(by_column, left_out)),
                  last = -m_side * m_image.u(quantile(by_column, 1. - left_out));
     Ear_box box;
-    box.back = std::min(first, last) - .0285;
-    box.front = std::max(first, last) + .0096;
-    box.bottom = m_image.v(quantile(by_row, left_out)) - .0292;
-    box.top = m_image.v(quantile(by_row, 1. - left_out)) + .0177;
+    box.back = std::min(first, last) - .033;
+    box.front = std::max(first, last) + .010;
+    box.bottom = m_image.v(quantile(by_row, left_out)) - .032;
+    box.top = m_image.v(quantile(by_row, 1. - left_out)) + .018;
 
     std::sort(depths.begin(), depths.end());
     double all = 0., sum = 0.;

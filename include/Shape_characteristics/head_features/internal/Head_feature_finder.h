@@ -501,7 +501,7 @@ private:
         continue;
       const Ear_box& box = outline.box();
       region.confidence = outline.certainty() * plausibility(.5 * (box.bottom + box.top) - .02, .08);
-      find_points_of_ear(side, box, region.confidence);
+      find_points_of_ear(side, outline, z_middle, region.confidence);
     }
     // the ears of a head are at the same place
     const auto &left = m_found[Head_feature::LEFT_R5], &right = m_found[Head_feature::RIGHT_R5];
@@ -519,10 +519,11 @@ private:
   static constexpr double s_behind_ear = .02, s_least_ear_x = .15;
 
   // R1 to R4 are near the corners of the outer side of the ear's box, R5 near the mean of these. Where exactly, the area about the
-  // nearest place says: rims are sharper or rounder as the mesh is.
-  void find_points_of_ear(int side, const Ear_box& box, double confidence)
+  // nearest place of the ear says: rims are sharper or rounder as the mesh is. Beyond the outline, area counts less and less.
+  void find_points_of_ear(int side, const Ear_outline& outline, double z_middle, double confidence)
   {
-    constexpr double width = .003, width_of_middle = .006, spacing = .004;
+    constexpr double width = .003, width_of_middle = .006, spacing = .004, fade = .015;
+    const Ear_box& box = outline.box();
     std::vector<std::size_t> triangles;
     for(std::size_t t = 0; t < m_surface.triangles.size(); ++t)
     {
@@ -532,7 +533,12 @@ private:
          center.z() > box.back && center.z() < box.front)
         triangles.push_back(t);
     }
-    const Surface_patch ear(m_surface, std::move(triangles), spacing);
+    const auto weight = [&](const Eigen::Vector3d& p)
+    {
+      const double outside = outline.distance(p.z(), p.y()) - (p.z() > z_middle ? 0. : s_behind_ear);
+      return std::min(std::max(1. - outside / fade, 0.), 1.);
+    };
+    const Surface_patch ear(m_surface, std::move(triangles), spacing, weight);
     if(ear.is_empty())
       return;
     const std::array<Eigen::Vector3d, 4> corners = {

@@ -16,17 +16,21 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Some triangles of a surface, and where they are nearest to a place.
+// Some triangles of a surface, parts of which may count for less, and where they are nearest to a place.
 class Surface_patch
 {
 public:
-  // `spacing`: about how far apart the samples are that stand for the area
-  Surface_patch(const Head_surface& surface, std::vector<std::size_t> triangles, double spacing)
+  // `spacing`: about how far apart the samples are that stand for the area; `weight`: how much the area at a place counts
+  template <typename Weight>
+  Surface_patch(const Head_surface& surface,
+                std::vector<std::size_t> triangles,
+                double spacing,
+                const Weight& weight)
     : m_surface(&surface),
       m_triangles(std::move(triangles))
   {
     for(const std::size_t t : m_triangles)
-      sample(t, spacing);
+      sample(t, spacing, weight);
   }
 
   bool is_empty() const { return m_samples.empty(); }
@@ -78,7 +82,8 @@ private:
   };
 
   // the centers of equal parts of a triangle
-  void sample(std::size_t t, double spacing)
+  template <typename Weight>
+  void sample(std::size_t t, double spacing, const Weight& weight)
   {
     const auto& [i, j, k] = m_surface->triangles[t];
     const Eigen::Vector3d &a = m_surface->points[i], u = m_surface->points[j] - a,
@@ -90,8 +95,12 @@ private:
     for(int y = 0; y < parts; ++y)
       for(int x = 0; x + y < parts; ++x)
         for(int half = 0; half < (x + y + 1 < parts ? 2 : 1); ++half)
-          m_samples.push_back(
-              {a + ((x + (half + 1) / 3.) * u + (y + (half + 1) / 3.) * v) / parts, area / (parts * parts)});
+        {
+          const double third = (half + 1) / 3.;
+          const Eigen::Vector3d p = a + ((x + third) * u + (y + third) * v) / parts;
+          if(const double w = weight(p); w > 0.)
+            m_samples.push_back({p, w * area / (parts * parts)});
+        }
   }
 
   // of a triangle, to `p`
