@@ -123,10 +123,13 @@ public:
     if(ear.size() < 3)
       return {};
 
-    std::vector<Ear_outline::Point_2> points, hull;
+    // of numbers of pixels: those are computed with exactly
+    std::vector<Ear_outline::Point_2> pixels, hull;
     for(const auto& [i, j] : ear)
-      points.emplace_back(-m_side * m_image.u(i), m_image.v(j));
-    CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(hull));
+      pixels.emplace_back(-m_side * i, j);
+    CGAL::convex_hull_2(pixels.begin(), pixels.end(), std::back_inserter(hull));
+    for(Ear_outline::Point_2& p : hull)
+      p = Ear_outline::Point_2(-m_side * m_image.u(-m_side * p.x()), m_image.v(p.y()));
     return Ear_outline(hull, box(curvature.max, ear), certainty(hull));
   }
 
