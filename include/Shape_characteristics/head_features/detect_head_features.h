@@ -167,9 +167,9 @@ std::size_t number_of_thesis_vertices(const Parameter& given, const char* messag
   ears are what the sharpest folds at the side of the head enclose; the points of the midline are where its profile is bent. Points
   are found between vertices, and no parameter counts vertices: the result hardly depends on the tessellation. What isn't there
   (ears under hair, the top of a scan of a face) is not found. The face must not be turned away by more than about 10 degrees in
-  the given pose. N5 to N8 are on the sides of the nose where the proportions of heads put them, at the height of N3 and N4. R1 to R4 are where
-  an ear is nearest to the corners of the outer side of its box, in the mean over some thousandths of the head's height, and R5 is
-  near the mean of these.
+  the given pose. N5 to N8 are on the sides of the nose where the proportions of heads put them, at the height of N3 and N4. R1 to R4
+  are where an ear is nearest to the corners of the outer side of its box, in the mean over some thousandths of the head's height, and
+  R5 is near the mean of these.
 
   `Head_feature_method::THESIS` is chapter 9 to the letter, for comparison: vertices alone, each the one with the greatest measure
   (9.1) to (9.6). Its errors are its own: with the printed radius of 0.6 the chin is the tip of the nose, and no mouth is found

@@ -38,11 +38,15 @@ public:
     : m_hull(std::move(hull)),
       m_box(box),
       m_certainty(certainty)
-  {}
+  {
+    for(const Point_2& p : m_hull)
+      m_z_middle += p.x() / double(m_hull.size());
+  }
 
   double certainty() const { return m_certainty; }            // 0: not found
   const std::vector<Point_2>& hull() const { return m_hull; } // counterclockwise
   const Ear_box& box() const { return m_box; }
+  double z_middle() const { return m_z_middle; }
 
   // how far a point is outside of the outline, negative inside
   double distance(double z, double y) const
@@ -65,7 +69,7 @@ public:
 private:
   std::vector<Point_2> m_hull;
   Ear_box m_box;
-  double m_certainty = 0.;
+  double m_z_middle = 0., m_certainty = 0.;
 };
 
 // The folds of an ear are the sharpest on the side of a head. Where they lie close together at the place where an ear is to be

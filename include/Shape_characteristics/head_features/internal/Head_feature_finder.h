@@ -484,24 +484,17 @@ private:
       const Ear_outline outline = Ear_finder(m_surface, side).find();
       if(!(outline.certainty() > 0.))
         continue;
-      double z_middle = 0.;
-      for(const auto& p : outline.hull())
-        z_middle += p.x() / double(outline.hull().size());
-      const auto is_inside = [&](const Eigen::Vector3d& p)
-      {
-        return side * p.x() > s_least_ear_x &&
-               outline.distance(p.z(), p.y()) <= (p.z() > z_middle ? 0. : s_behind_ear);
-      };
       Found_head_features::Region& region =
           m_found[side < 0 ? Head_region::LEFT_EAR : Head_region::RIGHT_EAR];
       for(Index v = 0; v < m_surface.points.size(); ++v)
-        if(is_inside(m_surface.points[v]))
+        if(side * m_surface.points[v].x() > s_least_ear_x &&
+           outside_of_ear(outline, m_surface.points[v]) <= 0.)
           region.vertices.push_back(v);
       if(region.vertices.empty())
         continue;
       const Ear_box& box = outline.box();
       region.confidence = outline.certainty() * plausibility(.5 * (box.bottom + box.top) - .02, .08);
-      find_points_of_ear(side, outline, z_middle, region.confidence);
+      find_points_of_ear(side, outline, region.confidence);
     }
     // the ears of a head are at the same place
     const auto &left = m_found[Head_feature::LEFT_R5], &right = m_found[Head_feature::RIGHT_R5];
@@ -518,9 +511,15 @@ private:
   }
   static constexpr double s_behind_ear = .02, s_least_ear_x = .15;
 
+  // how far a point is outside of an ear as it is seen from the side, and of what it hides at its back
+  static double outside_of_ear(const Ear_outline& outline, const Eigen::Vector3d& p)
+  {
+    return outline.distance(p.z(), p.y()) - (p.z() > outline.z_middle() ? 0. : s_behind_ear);
+  }
+
   // R1 to R4 are near the corners of the outer side of the ear's box, R5 near the mean of these. Where exactly, the area about the
   // nearest place of the ear says: rims are sharper or rounder as the mesh is. Beyond the outline, area counts less and less.
-  void find_points_of_ear(int side, const Ear_outline& outline, double z_middle, double confidence)
+  void find_points_of_ear(int side, const Ear_outline& outline, double confidence)
   {
     constexpr double width = .003, width_of_middle = .006, spacing = .004, fade = .015;
     const Ear_box& box = outline.box();
@@ -534,10 +533,7 @@ private:
         triangles.push_back(t);
     }
     const auto weight = [&](const Eigen::Vector3d& p)
-    {
-      const double outside = outline.distance(p.z(), p.y()) - (p.z() > z_middle ? 0. : s_behind_ear);
-      return std::min(std::max(1. - outside / fade, 0.), 1.);
-    };
+    { return std::min(std::max(1. - outside_of_ear(outline, p) / fade, 0.), 1.); };
     const Surface_patch ear(m_surface, std::move(triangles), spacing, weight);
     if(ear.is_empty())
       return;
