@@ -321,7 +321,7 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                                             // nor is its level of noise
     e.difference_of_fits = std::numeric_limits<double>::infinity(); // it may choose another fit
     e.accuracy = .01;
-    e.reproducibility = 1e-3;
+    e.reproducibility = 1e-4;
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;
@@ -343,13 +343,11 @@ std::vector<Estimator<Input>> estimators()
   {
     Estimator<Input>& e = list.add_curvatures("razdan_bae", razdan_bae, defaults);
     e.accuracy = .05;
-    e.reproducibility = 1e-8;
   }
   {
     Estimator<Input>& e = list.add_curvatures("kalogerakis", kalogerakis, defaults);
     e.sight = 8; // neighbors of neighbors of neighbors
     e.accuracy = .1;
-    e.reproducibility = 1e-6; // iterations end a little earlier or later
   }
   if constexpr(std::is_same_v<Input, Mesh>)
   {
@@ -377,8 +375,7 @@ std::vector<Estimator<Input>> estimators()
       Estimator<Input>& e = list.add_curvatures("meyer", meyer, defaults);
       internal::announce_measured_Gaussian(e);
       e.needs_triangles = true;
-      e.accuracy = .45;         // it doesn't converge on irregular meshes
-      e.reproducibility = 1e-6; // the square root of a difference
+      e.accuracy = .45; // it doesn't converge on irregular meshes
     }
     {
       Estimator<Input>& e = list.add_curvatures("taubin", taubin, defaults);

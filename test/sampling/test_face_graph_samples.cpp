@@ -22,6 +22,7 @@
 #include "build_mesh.h"
 #include "build_openmesh.h"
 #include "check_traversal.h"
+#include "seven_digits.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -70,8 +71,8 @@ std::vector<std::set<std::size_t>> adjacency(const Polygon_arrays& a)
   return neighbors;
 }
 
-// the vertices that are reached from `v` by at most `rings` edges between accepted vertices, nearest first, then in the
-// lexicographic order of the points
+// the vertices that are reached from `v` by at most `rings` edges between accepted vertices, nearest first, those that are
+// equally far to seven digits in the lexicographic order of the points
 template <typename Accept>
 Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, const Accept& accept)
 {
@@ -93,7 +94,7 @@ Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, 
   const auto key = [&](const std::size_t i)
   {
     const Vector d = a.points[i] - a.points[v];
-    return std::make_tuple(d.x * d.x + d.y * d.y + d.z * d.z, a.points[i].x, a.points[i].y, a.points[i].z);
+    return std::make_tuple(seven_digits(d.x * d.x + d.y * d.y + d.z * d.z), a.points[i].x, a.points[i].y, a.points[i].z);
   };
   std::sort(result.begin(), result.end(),
             [&](const std::size_t i, const std::size_t j) { return key(i) < key(j); });

@@ -7,6 +7,7 @@
 
 #include "analytic_surfaces.h"
 #include "check_traversal.h"
+#include "seven_digits.h"
 
 #include <CGAL/property_map.h>
 
@@ -21,6 +22,7 @@
 
 namespace SC = Shape_characteristics;
 using test_support::Random;
+using test_support::seven_digits;
 using S = SC::Estimation_status;
 using SC::Neighborhood;
 using SC::Point_set_samples;
@@ -58,7 +60,7 @@ std::vector<Point_3> grid(int n)
   return points;
 }
 
-// all other finite points elsewhere, nearest first, equally far ones in lexicographic order
+// all other finite points elsewhere, nearest first, those that are equally far to seven digits in lexicographic order
 Indices plain_order(const std::vector<Point_3>& points, std::size_t i)
 {
   const auto is_finite = [](const Point_3& p)
@@ -70,8 +72,8 @@ Indices plain_order(const std::vector<Point_3>& points, std::size_t i)
         others.push_back(Point_set_samples::Index(j));
   const auto key = [&](const std::size_t j)
   {
-    return std::make_tuple(CGAL::squared_distance(points[i], points[j]), points[j].x(), points[j].y(),
-                           points[j].z());
+    return std::make_tuple(seven_digits(CGAL::squared_distance(points[i], points[j])), points[j].x(),
+                           points[j].y(), points[j].z());
   };
   std::sort(others.begin(), others.end(),
             [&](const std::size_t a, const std::size_t b) { return key(a) < key(b); });
@@ -272,19 +274,52 @@ BOOST_AUTO_TEST_CASE(moved_points)
   }
 }
 
-// Many neighbors, of which the leading bits of the distances don't tell which is nearer.
-BOOST_AUTO_TEST_CASE(nearly_equal_distances)
+namespace {
+
+// the origin, and points about as far from it as sqrt(1.3)
+std::vector<Point_3> points_on_a_ring(std::size_t count, double width)
 {
   std::vector<Point_3> points = {Point_3(0., 0., 0.)};
   Random random(14);
-  for(int i = 0; i < 40; ++i)
+  for(std::size_t i = 0; i < count; ++i)
   {
-    const double angle = 6. * random.uniform(), radius = 1. + 1e-9 * random.uniform();
+    const double angle = 6. * random.uniform(), radius = std::sqrt(1.3) * (1. + width * random.uniform());
     points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.);
   }
+  return points;
+}
+
+} // namespace
+
+// Many neighbors, of which the leading bits of the distances don't tell which is nearer.
+BOOST_AUTO_TEST_CASE(nearly_equal_distances)
+{
+  // so that no two are the same to seven digits
+  std::vector<Point_3> points = points_on_a_ring(40, 0.);
+  for(std::size_t i = 1; i < points.size(); ++i)
+    points[i] = CGAL::ORIGIN + (1. + 1e-7 * double(17 * i % 41)) * (points[i] - CGAL::ORIGIN);
   for(const Neighborhood& neighborhood : {Neighborhood::nearest(25), Neighborhood::ball(1.5)})
   {
     Indices expected = plain_order(points, 0);
+    if(neighborhood.kind() == Neighborhood::Kind::NEAREST)
+      expected.resize(25);
+    const Point_set_samples samples = samples_of(points, neighborhood);
+    Point_set_samples::Workspace workspace;
+    BOOST_TEST((samples.neighbors(0, 0, workspace) == expected));
+  }
+}
+
+// Those that are equally far but for rounding come in the order of their coordinates, and so are chosen.
+BOOST_AUTO_TEST_CASE(equal_distances_but_for_rounding)
+{
+  const std::vector<Point_3> points = points_on_a_ring(40, 1e-12);
+  Indices in_order(points.size() - 1);
+  std::iota(in_order.begin(), in_order.end(), Point_set_samples::Index(1));
+  std::sort(in_order.begin(), in_order.end(),
+            [&](const std::size_t a, const std::size_t b) { return points[a] < points[b]; });
+  for(const Neighborhood& neighborhood : {Neighborhood::nearest(25), Neighborhood::ball(1.5)})
+  {
+    Indices expected = in_order;
     if(neighborhood.kind() == Neighborhood::Kind::NEAREST)
       expected.resize(25);
     const Point_set_samples samples = samples_of(points, neighborhood);

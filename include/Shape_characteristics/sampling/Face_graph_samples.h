@@ -234,8 +234,8 @@ public:
   bool is_usable(std::size_t i) const { return is_estimated(m_status[i]); }
 
   /*!
-    returns the neighbors of vertex `i`, without `i` itself, the nearest first; equally far ones in the
-    lexicographic order of their points. Vertices whose points or normals are not finite are left out.
+    returns the neighbors of vertex `i`, without `i` itself, the nearest first; those that are equally far, to
+    seven digits, in the lexicographic order of their points. Vertices whose points or normals are not finite are left out.
 
     If rings give less than `minimum` neighbors (on a border, say), up to two further rings are added. A ball
     isn't enlarged.

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/sampling/internal/make_unit.h>
 #include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
+#include <Shape_characteristics/sampling/internal/rounded_distance.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -92,8 +93,8 @@ public:
   bool is_usable(std::size_t i) const { return is_estimated(m_status[i]); }
 
   /*!
-    returns the neighbors of point `i`, the nearest first; equally far ones in the lexicographic order of
-    their coordinates. `i` itself, points with the same coordinates as `i`, and points whose coordinates or
+    returns the neighbors of point `i`, the nearest first; those that are equally far, to seven digits, in the
+    lexicographic order of their coordinates. `i` itself, points with the same coordinates as `i`, and points whose coordinates or
     normals are not finite are left out.
 
     The reference is valid until the next call with the same workspace.
@@ -245,7 +246,7 @@ public:
 
 private:
   using Entry = internal::Kd_tree::Entry;
-  using Candidate = std::pair<double, Index>; // squared distance and point
+  using Candidate = std::pair<double, Index>; // rounded squared distance and point
 
   static const Neighborhood& checked(const Neighborhood& neighborhood)
   {
@@ -295,13 +296,14 @@ private:
 
     double squared_radius() const
     {
-      return size < capacity ? std::numeric_limits<double>::infinity() : nearest[capacity - 1].first;
+      return size < capacity ? std::numeric_limits<double>::infinity()
+                             : internal::largest_rounded_to(nearest[capacity - 1].first);
     }
     void operator()(const Entry& entry, double squared_distance)
     {
       if(squared_distance > squared_radius() || entry.point == center)
         return;
-      const Candidate candidate(squared_distance, entry.index);
+      const Candidate candidate(internal::rounded_distance(squared_distance), entry.index);
       if(size < capacity)
         ++size;
       else if(!is_before(candidate, nearest[capacity - 1]))

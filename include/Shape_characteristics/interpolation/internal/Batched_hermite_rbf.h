@@ -9,6 +9,7 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/sampling/internal/rounded_distance.h>
 
 #include <Eigen/Core>
 
@@ -61,7 +62,7 @@ class Batched_hermite_rbf
   // the fit whose center is nearest to a sample, of those that may serve it
   struct Nearest_center
   {
-    double squared_distance; // in units of the neighborhood's size; negative if the sample has its answer
+    double squared_distance; // rounded, in units of the neighborhood's size; negative if the sample has its answer
     Index task;
     Index point; // of the task's
   };
@@ -254,8 +255,8 @@ private:
          neighborhood.normals[n].dot(neighborhood.normals[0]) > reach.cosine)
       {
         is_served[j] = 1;
-        if(squared_distance < nearest->squared_distance)
-          *nearest = {squared_distance, number, Index(n)};
+        if(const double rounded = rounded_distance(squared_distance); rounded < nearest->squared_distance)
+          *nearest = {rounded, number, Index(n)};
       }
       else if(squared_distance > reach.rim * reach.rim && !is_served[j])
         workspace.m_rim.push_back(j);

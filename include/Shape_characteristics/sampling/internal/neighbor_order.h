@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
 
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/sampling/internal/rounded_distance.h>
 
 #include <Eigen/Core>
 
@@ -16,8 +17,8 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Sorts neighbors by distance, then by coordinates, then by normals: an order that the surface alone determines. Sums over a
-// neighborhood then have the same bits whatever the order of the input and the type of the mesh.
+// Sorts neighbors by rounded distance, then by coordinates, then by normals: an order that the surface alone determines. Sums
+// over a neighborhood then have the same bits whatever the order of the input and the type of the mesh.
 class Neighbor_order
 {
 public:
@@ -28,7 +29,7 @@ public:
     const std::size_t n = neighbors.size();
     m_distances.resize(n);
     for(std::size_t k = 0; k < n; ++k)
-      m_distances[k] = {(samples.point(neighbors[k]) - p).squaredNorm(), neighbors[k]};
+      m_distances[k] = {rounded_distance((samples.point(neighbors[k]) - p).squaredNorm()), neighbors[k]};
     const auto is_before = [&](const Key& a, const Key& b)
     {
       if(a.first != b.first)
