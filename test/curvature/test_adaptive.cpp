@@ -299,6 +299,99 @@ BOOST_AUTO_TEST_CASE(blend)
   BOOST_TEST(std::exp(of_told / number) < .34);
 }
 
+namespace {
+
+struct On_quadrics
+{
+  std::size_t number = 0; // of vertices by QUADRIC
+  double error = 0.;      // the largest one of them, of a curvature
+};
+
+On_quadrics on_quadrics(const Data& data)
+{
+  Surface_mesh mesh = data.mesh;
+  auto curvatures =
+      mesh.add_property_map<Vertex, SC::Principal_curvatures_and_directions<Kernel>>("v:curvatures").first;
+  auto choices = mesh.add_property_map<Vertex, Choice>("v:choice").first;
+  SC::adaptive_curvatures(mesh, SC::parameters::vertex_normal_map(data.normals)
+                                    .vertex_principal_curvatures_and_directions_map(curvatures)
+                                    .vertex_estimator_map(choices));
+  On_quadrics result;
+  for(const Vertex v : vertices(mesh))
+    if(choices[v] == Choice::QUADRIC)
+    {
+      const auto& exact = data.surface.exact[v];
+      ++result.number;
+      result.error = (std::max)({result.error, std::abs(curvatures[v].min_curvature - exact.k_min),
+                                 std::abs(curvatures[v].max_curvature - exact.k_max)});
+    }
+  return result;
+}
+
+// the ridge of a roof along the y axis
+Analytic_surface roof()
+{
+  Analytic_surface s = test_support::plane(1., 12, .15, 3);
+  s.name = "roof";
+  const double pitch = .6;
+  for(std::size_t i = 0; i < s.points.size(); ++i)
+  {
+    auto& p = s.points[i];
+    if(std::abs(p.x) < .05)
+      p.x = 0.;
+    const double side = p.x < 0. ? 1. : p.x > 0. ? -1. : 0.;
+    p.z = -pitch * std::abs(p.x);
+    s.exact[i].normal = benchmark_support::normalized({-side * pitch, 0., 1.});
+    s.exact[i].singular = side == 0.;
+  }
+  return s;
+}
+
+} // namespace
+
+// On quadrics the answer is exact, up to the border and whatever the normals are.
+BOOST_AUTO_TEST_CASE(quadrics)
+{
+  for(const Analytic_surface& s :
+      {test_support::sphere(1., 2), test_support::ellipsoid(1., .7, .5, 3, .15),
+       test_support::ellipsoid_of_longitudes(1., .8, .6, 24), test_support::cylinder(1., 2., 24, 9),
+       test_support::cylinder(1., 2., 24, 9, .15), test_support::cone(1., 1.5, 24, 9, .15),
+       test_support::saddle(1., 12), test_support::paraboloid(.7, .3, 1., 12, .15)})
+    for(const Given given : {Given::EXACT, Given::ESTIMATED, Given::MISLEADING})
+      BOOST_TEST_CONTEXT(s.name << ", " << int(given))
+      {
+        const On_quadrics result = on_quadrics(Data(s, given, 0.));
+        const auto is_singular = [](const auto& e) { return e.singular; };
+        const auto singular = std::size_t(std::count_if(s.exact.begin(), s.exact.end(), is_singular));
+        BOOST_TEST_MESSAGE(s.name << ": " << result.error);
+        BOOST_TEST(result.number == s.points.size() - singular); // the tip of the cone is none
+        BOOST_TEST(result.error < 2e-12);
+      }
+}
+
+// Others are no quadrics, however finely they are sampled; nor are points with a little noise on any, but by the eighth digit.
+BOOST_AUTO_TEST_CASE(no_quadrics)
+{
+  for(const Analytic_surface& s :
+      {test_support::torus(), test_support::torus(1., .4, 160, 80, .15), test_support::waves(.1, 4., 1., 100),
+       test_support::monkey_saddle(.5, 100, .15)})
+    BOOST_TEST(on_quadrics(Data(s, Given::EXACT, 0.)).number == 0u, s.name);
+  const Analytic_surface ellipsoid = test_support::ellipsoid(1., .7, .5, 2, .15);
+  BOOST_TEST(on_quadrics(Data(ellipsoid, Given::ESTIMATED, 1e-7)).number == 0u);
+  const On_quadrics nearly = on_quadrics(Data(ellipsoid, Given::ESTIMATED, 1e-10));
+  BOOST_TEST(nearly.number == ellipsoid.points.size());
+  BOOST_TEST(nearly.error < 1e-7);
+}
+
+// Two planes are a quadric: beside the edge between them, they are flat.
+BOOST_AUTO_TEST_CASE(planes_that_meet)
+{
+  const Analytic_surface s = roof();
+  const On_quadrics result = on_quadrics(Data(s, Given::EXACT, 0.));
+  BOOST_TEST(result.number > 0u);
+  BOOST_TEST(result.error < 1e-12);
+}
+
 // Where some samples need a closer look, the others are left alone; no bit shows it.
 BOOST_AUTO_TEST_CASE(restriction)
 {
@@ -408,13 +501,15 @@ BOOST_AUTO_TEST_CASE(one_vertex)
                                      .vertex_normal_map(data.normals)) == SC::Estimation_status::ESTIMATED));
     check(c, mean, all.curvatures[i], all.mean[i]);
   };
+  const auto check_bits = [](const Curvatures& c, double mean, const Curvatures& of_all, double mean_of_all)
+  {
+    BOOST_TEST(same_bits(c, of_all));
+    BOOST_TEST(same_bits(mean, mean_of_all));
+  };
   // normals that are exact beyond doubt
-  compare(test_support::torus(1., .4, 20, 10, .2, 6), 77,
-          [](const Curvatures& c, double mean, const Curvatures& of_all, double mean_of_all)
-          {
-            BOOST_TEST(same_bits(c, of_all));
-            BOOST_TEST(same_bits(mean, mean_of_all));
-          });
+  compare(test_support::torus(1., .4, 20, 10, .2, 6), 77, check_bits);
+  // points on a quadric
+  compare(test_support::ellipsoid(1., .7, .5, 2, .15), 77, check_bits);
   // those of a surface that is sampled too coarsely to be sure: points farther away aren't smoothed
   const Analytic_surface s = test_support::torus(1., .4, 36, 18, .2, 6);
   compare(s, 333,

@@ -4,8 +4,9 @@
 namespace Shape_characteristics {
 
 /// \ingroup PkgShapeCharacteristicsCurvature
-/// the estimators that `adaptive_curvatures()` blends at each sample: Hermite radial basis functions that
-/// trust points and normals to different degrees, over neighborhoods of different sizes
+/// the estimators among which `adaptive_curvatures()` chooses at each sample: Hermite radial basis functions that
+/// trust points and normals to different degrees, over neighborhoods of different sizes, which it blends, and the quadric
+/// through all points, where there is one
 enum class Adaptive_estimator_choice : unsigned char
 {
   EXACT_2_RINGS,  ///< points and normals are exact; two rings (18 neighbors)
@@ -21,7 +22,8 @@ enum class Adaptive_estimator_choice : unsigned char
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
   BARELY_SMOOTHED_4_RINGS, ///< points have a hundredth of the noise, and are not smoothed before the fit; four rings
-  NONE                     ///< there is no estimate
+  QUADRIC, ///< the sample and its neighbors (two rings, or 18) lie on a quadric, to eight digits
+  NONE     ///< there is no estimate
 };
 
 /// \ingroup PkgShapeCharacteristicsCurvature
@@ -52,6 +54,8 @@ constexpr const char* to_string(Adaptive_estimator_choice choice) noexcept
     return "GENTLY_SMOOTHED_4_RINGS";
   case Adaptive_estimator_choice::BARELY_SMOOTHED_4_RINGS:
     return "BARELY_SMOOTHED_4_RINGS";
+  case Adaptive_estimator_choice::QUADRIC:
+    return "QUADRIC";
   case Adaptive_estimator_choice::NONE:
     return "NONE";
   }

@@ -62,6 +62,10 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   Where the first of these, or that and the noise level, say that normals are exact beyond doubt, nothing else is asked; elsewhere
   mostly one or two have a part in the average. Those with less than a fiftieth of the largest weight have none.
 
+  Before all this, it is tried whether a vertex and its neighbors lie on a quadric, to eight digits of their distances: on a
+  sphere, a cylinder, a cone, an ellipsoid, a paraboloid, a hyperboloid, as the faces of technical parts do, or on two planes that
+  meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are.
+
   Level sets that marching cubes take from a coarse grid are its weak point: they are off in the same direction for some vertices,
   which four rings hardly tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a
   `noise_level` of some thousandths.
@@ -95,8 +99,8 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
 
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
-  Complexity: linear in the number of vertices. Where normals are exact beyond doubt, two fits are made at a vertex: tens of
-  microseconds on one processor. Elsewhere, and some rings around, it is up to seventeen, half of them over four rings: milliseconds.
+  Complexity: linear in the number of vertices. A quadric takes some microseconds on one processor. Where there is none and normals
+  are exact beyond doubt, two fits are made at a vertex: tens of microseconds. Elsewhere, and some rings around, it is up to seventeen, half of them over four rings: milliseconds.
   The results of eleven of them are kept at the same time, which takes some two kilobytes a vertex.
 
   \cgalExample{curvature/adaptive_curvatures.cpp}

@@ -22,8 +22,8 @@ struct Adaptive_estimates
   std::vector<Adaptive_estimator_choice> choices;
 };
 
-// Blends the estimators at each sample, in proportion to exp(-score). Where normals are exact beyond doubt, nothing else is
-// asked for, and of the other fits only those are made that have a part elsewhere.
+// Blends the estimators at each sample, in proportion to exp(-score). Where the points lie on a quadric, or normals are exact
+// beyond doubt, nothing else is asked for, and of the other fits only those are made that have a part elsewhere.
 template <typename ConcurrencyTag, typename SampledSurface>
 class Adaptive_estimator
 {
@@ -40,7 +40,13 @@ public:
   Adaptive_estimates operator()()
   {
     Adaptive_estimates result = no_estimates();
-    const std::vector<Index> others = take_exact_ones(result);
+    std::vector<Index> others = take_quadrics(result);
+    if(!others.empty())
+    {
+      if(others.size() < m_size)
+        m_statistics.restrict_to(others);
+      others = take_exact_ones(others, result);
+    }
     if(!others.empty() && !m_statistics.is_cancelled())
     {
       m_statistics.restrict_to(others);
@@ -62,7 +68,25 @@ private:
   }
 
   // returns the samples that are to be estimated otherwise
-  std::vector<Index> take_exact_ones(Adaptive_estimates& result)
+  std::vector<Index> take_quadrics(Adaptive_estimates& result) const
+  {
+    std::vector<Index> others;
+    const Fitted_field quadrics = m_statistics.quadrics(m_size);
+    for(std::size_t i = 0; i < m_size; ++i)
+    {
+      const Estimation_status status = m_statistics.surface().status(i);
+      if(!is_estimated(status))
+        result.estimates[i] = Curvature_estimate(status);
+      else if(is_estimated(quadrics[i].status))
+        take(quadrics[i], Choice::QUADRIC, i, result);
+      else
+        others.push_back(Index(i));
+    }
+    return others;
+  }
+
+  // of these samples, returns those that are to be estimated otherwise
+  std::vector<Index> take_exact_ones(const std::vector<Index>& samples, Adaptive_estimates& result)
   {
     std::vector<Index> others;
     const std::vector<float>& exact_angles = m_statistics.statistic(Adaptive_statistic::EXACT_3_ANGLES);
@@ -71,17 +95,12 @@ private:
       return others;
     const std::vector<float>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
     const Fitted_field& exact = m_statistics.field(Choice::EXACT_3_RINGS);
-    for(std::size_t i = 0; i < m_size; ++i)
-    {
-      const Estimation_status status = m_statistics.surface().status(i);
-      if(!is_estimated(status))
-        result.estimates[i] = Curvature_estimate(status);
-      else if(is_estimated(exact[i].status) &&
-              normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness))
+    for(const Index i : samples)
+      if(is_estimated(exact[i].status) &&
+         normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness))
         take(exact[i], Choice::EXACT_3_RINGS, i, result);
       else
-        others.push_back(Index(i));
-    }
+        others.push_back(i);
     return others;
   }
 

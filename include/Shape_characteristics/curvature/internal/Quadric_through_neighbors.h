@@ -1,0 +1,132 @@
+#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_QUADRIC_THROUGH_NEIGHBORS_H
+#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_QUADRIC_THROUGH_NEIGHBORS_H
+
+#include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/curvature/internal/Fitted_sample.h>
+#include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace Shape_characteristics {
+namespace internal {
+
+/*
+  The quadric through a sample and its neighbors, if they lie on one, to eight digits of their distances: on a sphere, a
+  cylinder, a cone, an ellipsoid, a paraboloid, a hyperboloid. (Other surfaces come as close to one only where thousands of
+  samples make up a radius of curvature.) The quadric is the null vector of the matrix of its monomials, and must be the
+  only one. Those of a plane, of which there are many, aren't looked for.
+
+  An object may be used again and again: it keeps its memory.
+*/
+template <typename SampledSurface>
+class Quadric_through_neighbors
+{
+  using Vector = Eigen::Vector3d;
+  static constexpr int s_monomials = 9; // all but the constant: the sample is the origin
+  static constexpr int s_most_neighbors = 48;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, s_monomials, Eigen::ColMajor, s_most_neighbors>;
+  using Square_matrix = Eigen::Matrix<double, s_monomials, s_monomials>;
+  using Coefficients = Eigen::Matrix<double, s_monomials, 1>;
+
+public:
+  // its status isn't that of an estimate if there is no quadric
+  Fitted_sample operator()(const SampledSurface& surface, std::size_t i)
+  {
+    const Estimation_status status =
+        m_neighborhood.collect(surface, i, m_workspace, std::size_t(s_most_neighbors), s_fewest_neighbors);
+    const std::size_t number_of_neighbors = m_neighborhood.points.size() - 1;
+    if(!is_estimated(status) || number_of_neighbors < s_fewest_neighbors)
+      return Fitted_sample();
+    Coefficients quadric;
+    if(!find_null_vector(quadric))
+      return Fitted_sample();
+    const double slope = quadric.head<3>().norm();
+    if(!(slope > s_least_slope)) // as at the tip of a cone
+      return Fitted_sample();
+    quadric /= slope;
+    if(quadric.head<3>().dot(m_neighborhood.normals[0]) < 0.)
+      quadric = -quadric;
+    if(!is_surface(quadric))
+      return Fitted_sample();
+    Local_implicit_surface result;
+    result.status = status;
+    result.gradient = quadric.head<3>();
+    result.hessian = hessian_of(quadric) / m_neighborhood.scale;
+    result.displacement.setZero();
+    return Fitted_sample(result);
+  }
+
+private:
+  static constexpr std::size_t s_fewest_neighbors = 12; // a quadric through nine is no surprise
+  static constexpr double s_distance = 1e-8;            // how far points may be off the surface
+  static constexpr double s_gap = 1e3;                  // between the smallest singular value and the next
+  static constexpr double s_least_slope = .01;          // of a quadric with coefficients of length 1
+  static constexpr double s_least_cosine = .8;          // of the angle between the gradient and the normal
+
+  // of x, y, z, x^2 / 2, y^2 / 2, z^2 / 2, xy, xz, yz, in the order of `hessian_of`
+  bool find_null_vector(Coefficients& result)
+  {
+    const std::size_t n = m_neighborhood.points.size() - 1;
+    m_matrix.resize(Eigen::Index(n), s_monomials);
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      const Vector& p = m_neighborhood.points[k + 1];
+      m_matrix.row(Eigen::Index(k)) << p.x(), p.y(), p.z(), p.x() * p.x() / 2., p.y() * p.y() / 2.,
+          p.z() * p.z() / 2., p.x() * p.y(), p.x() * p.z(), p.y() * p.z();
+    }
+    // Mostly there is none, as the last pivot tells.
+    m_qr.compute(m_matrix);
+    const double bound = std::sqrt(double(n)) * s_distance, factor = 10.;
+    if(!(std::abs(m_qr.matrixQR()(s_monomials - 1, s_monomials - 1)) < factor * bound))
+      return false;
+    const Square_matrix triangle =
+        m_qr.matrixQR().template topRows<s_monomials>().template triangularView<Eigen::Upper>();
+    const Eigen::JacobiSVD<Square_matrix> svd(triangle, Eigen::ComputeFullV);
+    const auto& values = svd.singularValues();
+    const double smallest = values[s_monomials - 1], rounding = 1e-15 * values[0];
+    if(!(smallest < bound && values[s_monomials - 2] > s_gap * (std::max)(smallest, rounding)))
+      return false;
+    result = m_qr.colsPermutation() * svd.matrixV().col(s_monomials - 1);
+    return true;
+  }
+
+  static Eigen::Matrix3d hessian_of(const Coefficients& c)
+  {
+    Eigen::Matrix3d result;
+    result << c[3], c[6], c[7], c[6], c[4], c[8], c[7], c[8], c[5];
+    return result;
+  }
+
+  // whether all points are on it, and it faces where the normal points
+  bool is_surface(const Coefficients& quadric) const
+  {
+    const Vector gradient = quadric.head<3>();
+    const Eigen::Matrix3d hessian = hessian_of(quadric);
+    if(!quadric.allFinite() || !(gradient.dot(m_neighborhood.normals[0]) > s_least_cosine))
+      return false;
+    return std::all_of(m_neighborhood.points.begin(), m_neighborhood.points.end(),
+                       [&](const Vector& p)
+                       {
+                         const Vector turn = hessian * p;
+                         return std::abs(gradient.dot(p) + .5 * p.dot(turn)) <=
+                                s_distance * (std::max)((gradient + turn).norm(), 1.);
+                       });
+  }
+
+  typename SampledSurface::Workspace m_workspace;
+  Scaled_neighborhood m_neighborhood;
+  Matrix m_matrix;
+  Eigen::ColPivHouseholderQR<Matrix> m_qr;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_QUADRIC_THROUGH_NEIGHBORS_H
