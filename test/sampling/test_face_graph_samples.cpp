@@ -94,7 +94,8 @@ Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, 
   const auto key = [&](const std::size_t i)
   {
     const Vector d = a.points[i] - a.points[v];
-    return std::make_tuple(seven_digits(d.x * d.x + d.y * d.y + d.z * d.z), a.points[i].x, a.points[i].y, a.points[i].z);
+    return std::make_tuple(seven_digits(d.x * d.x + d.y * d.y + d.z * d.z), a.points[i].x, a.points[i].y,
+                           a.points[i].z);
   };
   std::sort(result.begin(), result.end(),
             [&](const std::size_t i, const std::size_t j) { return key(i) < key(j); });
