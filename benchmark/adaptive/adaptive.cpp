@@ -148,7 +148,9 @@ void calibrate(const std::string& file, double scale)
 
 const char* const help =
     "Errors of adaptive_curvatures() next to those of single estimators.\n\n"
-    "  --purpose P        which surfaces: tables (the thesis's), validation, or calibration (validation)\n"
+    "  --purpose P        which surfaces: tables (the thesis's), shapes (sphere, cylinder ...), calibration, "
+    "or\n"
+    "                     validation (validation)\n"
     "  --only TEXT        only surfaces with this in their name\n"
     "  --scale S          of the number of vertices (1)\n"
     "  --seed N           of random points and noise (1)\n"
@@ -180,6 +182,7 @@ int run(int argc, char** argv)
   const std::string name = arguments.text("purpose", "validation");
   const std::map<std::string, Purpose> purposes = {{"tables", Purpose::TABLES},
                                                    {"validation", Purpose::VALIDATION},
+                                                   {"shapes", Purpose::SHAPES},
                                                    {"calibration", Purpose::CALIBRATION}};
   if(purposes.count(name) == 0)
     throw std::invalid_argument("--purpose: no " + name);

@@ -95,6 +95,23 @@ void add_level_set(std::vector<Surface>& list,
                     [f](const Vector& p) { return exact_at(f, p); }});
 }
 
+/// F(x, y, z) = 0 by marching cubes, with all digits
+void add_shape(std::vector<Surface>& list,
+               const std::string& name,
+               double half,
+               double samples,
+               const Function& f)
+{
+  list.push_back({name,
+                  [=](std::uint64_t)
+                  {
+                    return benchmark_support::marching_cubes(
+                        [&](const Vector& p) { return f(p.x, p.y, p.z).value; }, {-half, -half, -half},
+                        {half, half, half}, std::size_t(samples), Edge_crossing::EXACT, 0.);
+                  },
+                  [f](const Vector& p) { return exact_at(f, p); }});
+}
+
 // a sum of waves in random directions; `shortest` is that of their lengths
 class Random_waves
 {
@@ -301,6 +318,26 @@ std::vector<Surface> validation(double scale)
   return list;
 }
 
+std::vector<Surface> shapes(double scale)
+{
+  std::vector<Surface> list;
+  const double m = 45. * std::sqrt(scale);
+  add_shape(list, "sphere", 1.2, m,
+            [](const Number& x, const Number& y, const Number& z) { return x * x + y * y + z * z - 1.; });
+  add_shape(list, "cylinder", 1.2, m,
+            [](const Number& x, const Number& y, const Number&) { return x * x + y * y - 1.; });
+  add_shape(list, "cone", 1.2, m,
+            [](const Number& x, const Number& y, const Number& z)
+            { return x * x + y * y - .09 * square(z + 2.); });
+  add_shape(list, "ellipsoid", 1.2, m,
+            [](const Number& x, const Number& y, const Number& z)
+            { return x * x + 2. * y * y + 3. * z * z - 1.; });
+  add_shape(list, "torus", 1.5, m,
+            [](const Number& x, const Number& y, const Number& z)
+            { return square(sqrt(x * x + y * y) - 1.) + z * z - .16; });
+  return list;
+}
+
 std::vector<Surface> tables(double scale)
 {
   std::vector<Surface> list;
@@ -332,6 +369,7 @@ std::vector<Surface> surfaces(Purpose purpose, double scale)
 {
   return purpose == Purpose::CALIBRATION ? calibration(scale)
          : purpose == Purpose::TABLES    ? tables(scale)
+         : purpose == Purpose::SHAPES    ? shapes(scale)
                                          : validation(scale);
 }
 

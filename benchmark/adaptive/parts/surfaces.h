@@ -12,13 +12,14 @@
 
 namespace adaptive {
 
-/// Which surfaces: those whose errors the constants of adaptive_curvatures() are made from, those of the thesis's tables, and
-/// further ones, of which neither has a part in the constants.
+/// Which surfaces: those whose errors the constants of adaptive_curvatures() are made from, those of the thesis's tables,
+/// further ones, and those of technical parts. Only the first have a part in the constants.
 enum class Purpose
 {
   CALIBRATION,
   TABLES,
-  VALIDATION
+  VALIDATION,
+  SHAPES
 };
 
 /// A tessellated surface that knows the truth.

@@ -62,8 +62,7 @@ class Batched_hermite_rbf
   // the fit whose center is nearest to a sample, of those that may serve it
   struct Nearest_center
   {
-    double
-        squared_distance; // rounded, in units of the neighborhood's size; negative if the sample has its answer
+    double squared_distance; // in units of the neighborhood's size, rounded; negative if there is an answer
     Index task;
     Index point; // of the task's
   };
