@@ -94,8 +94,8 @@ public:
 
   /*!
     returns the neighbors of point `i`, the nearest first; those that are equally far, to seven digits, in the
-    lexicographic order of their coordinates. `i` itself, points with the same coordinates as `i`, and points whose coordinates or
-    normals are not finite are left out.
+    lexicographic order of their coordinates. `i` itself, points with the same coordinates as `i`, and points whose
+    coordinates or normals are not finite are left out.
 
     The reference is valid until the next call with the same workspace.
 
