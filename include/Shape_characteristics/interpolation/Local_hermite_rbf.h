@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_LOCAL_HERMITE_RBF_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Shape_parameter_box.h>
@@ -9,7 +10,6 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/internal/trend_of_exact_fit.h>
 
 #include <Eigen/Core>

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_FIT_HERMITE_RBF_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/passes.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
@@ -10,7 +11,6 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>

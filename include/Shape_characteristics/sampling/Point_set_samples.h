@@ -4,12 +4,12 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/internal/rounded_distance.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/Kd_tree.h>
 #include <Shape_characteristics/sampling/internal/make_unit.h>
 #include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
-#include <Shape_characteristics/sampling/internal/rounded_distance.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>

@@ -3,8 +3,8 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 
 #include <Eigen/Core>
 #include <Eigen/QR>

@@ -2,14 +2,14 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/internal/rounded_distance.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
-#include <Shape_characteristics/sampling/internal/rounded_distance.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
 
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
 #include <Eigen/Core>

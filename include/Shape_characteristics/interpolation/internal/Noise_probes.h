@@ -2,9 +2,9 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_NOISE_PROBES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 
 #include <Eigen/Core>
 

@@ -2,11 +2,11 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_SMOOTHING_TRIAL_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 
 #include <Eigen/Core>

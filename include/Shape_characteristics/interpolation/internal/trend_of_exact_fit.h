@@ -1,11 +1,11 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_TREND_OF_EXACT_FIT_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_TREND_OF_EXACT_FIT_H
 
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial_fit.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
-#include <Shape_characteristics/interpolation/internal/Scaled_neighborhood.h>
 
 #include <Eigen/Core>
 #include <Eigen/QR>

@@ -2,7 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
 
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
-#include <Shape_characteristics/sampling/internal/rounded_distance.h>
+#include <Shape_characteristics/internal/rounded_distance.h>
 
 #include <Eigen/Core>
 
