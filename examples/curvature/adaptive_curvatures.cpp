@@ -97,7 +97,7 @@ int main()
   SC::adaptive_curvatures(mesh, outputs.callback(support::Progress_bar("noise")));
   const double of_noise = report("no normals, noisy points");
 
-  return SC::is_estimated(status) && of_quadric < 1e-12 && of_exact_normals < 1e-4 && of_points < 1e-3 &&
+  return SC::is_estimated(status) && of_quadric < 1e-12 && of_exact_normals < 1e-4 && of_points < 1e-4 &&
                  of_noise < .02
              ? EXIT_SUCCESS
              : EXIT_FAILURE;

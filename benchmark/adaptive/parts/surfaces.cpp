@@ -76,40 +76,45 @@ void add_graph(std::vector<Surface>& list,
                   exact});
 }
 
-/// F(x, y, z) = 0, outside where it is positive, by both variants of marching cubes
-void add_level_set(std::vector<Surface>& list,
-                   const std::string& name,
-                   double half,
-                   double samples,
-                   const Function& f)
-{
-  for(const bool is_exact : {true, false})
-    list.push_back({name + (is_exact ? " exact cubes" : " original cubes"),
-                    [=](std::uint64_t)
-                    {
-                      return benchmark_support::marching_cubes(
-                          [&](const Vector& p) { return f(p.x, p.y, p.z).value; }, {-half, -half, -half},
-                          {half, half, half}, std::size_t(samples),
-                          is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
-                    },
-                    [f](const Vector& p) { return exact_at(f, p); }});
-}
-
-/// F(x, y, z) = 0 by marching cubes, with all digits
-void add_shape(std::vector<Surface>& list,
+/// F(x, y, z) = 0, outside where it is positive, by marching cubes; `tolerance`: of F, if the crossing is exact
+void add_cubes(std::vector<Surface>& list,
                const std::string& name,
                double half,
                double samples,
-               const Function& f)
+               const Function& f,
+               Edge_crossing crossing,
+               double tolerance)
 {
   list.push_back({name,
                   [=](std::uint64_t)
                   {
                     return benchmark_support::marching_cubes(
                         [&](const Vector& p) { return f(p.x, p.y, p.z).value; }, {-half, -half, -half},
-                        {half, half, half}, std::size_t(samples), Edge_crossing::EXACT, 0.);
+                        {half, half, half}, std::size_t(samples), crossing, tolerance);
                   },
                   [f](const Vector& p) { return exact_at(f, p); }});
+}
+
+/// by both variants of marching cubes
+void add_level_set(std::vector<Surface>& list,
+                   const std::string& name,
+                   double half,
+                   double samples,
+                   const Function& f)
+{
+  constexpr double of_thesis = 1e-7;
+  add_cubes(list, name + " exact cubes", half, samples, f, Edge_crossing::EXACT, of_thesis);
+  add_cubes(list, name + " original cubes", half, samples, f, Edge_crossing::LINEAR, of_thesis);
+}
+
+/// with all digits
+void add_shape(std::vector<Surface>& list,
+               const std::string& name,
+               double half,
+               double samples,
+               const Function& f)
+{
+  add_cubes(list, name, half, samples, f, Edge_crossing::EXACT, 0.);
 }
 
 // a sum of waves in random directions; `shortest` is that of their lengths

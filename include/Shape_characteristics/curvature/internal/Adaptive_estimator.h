@@ -5,8 +5,10 @@
 #include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
 #include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
+#include <Shape_characteristics/curvature/internal/Quadric_through_neighbors.h>
 #include <Shape_characteristics/curvature/internal/adaptive_scores.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
 
 #include <array>
 #include <cstddef>
@@ -71,7 +73,10 @@ private:
   std::vector<Index> take_quadrics(Adaptive_estimates& result) const
   {
     std::vector<Index> others;
-    const Fitted_field quadrics = m_statistics.quadrics(m_size);
+    Fitted_field quadrics(m_size);
+    using Quadric = Quadric_through_neighbors<SampledSurface>;
+    for_each_sample<ConcurrencyTag, Quadric>(m_size, [&](const std::size_t i, Quadric& quadric)
+                                             { quadrics[i] = quadric(m_statistics.surface(), i); });
     for(std::size_t i = 0; i < m_size; ++i)
     {
       const Estimation_status status = m_statistics.surface().status(i);

@@ -5,7 +5,6 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
-#include <Shape_characteristics/curvature/internal/Quadric_through_neighbors.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
@@ -156,17 +155,6 @@ public:
   void set_size(std::size_t size) { m_size = (std::min)(m_size, size); }
   const SampledSurface& surface() const { return m_surface; }
   bool is_cancelled() const { return m_is_cancelled; }
-
-  // The quadrics through the samples `0, ..., size - 1` and their neighbors: where there is none, the status isn't that of an
-  // estimate.
-  Fitted_field quadrics(std::size_t size) const
-  {
-    Fitted_field result(size);
-    for_each_sample<ConcurrencyTag, Quadric_through_neighbors<SampledSurface> >(
-        size, [&](const std::size_t i, Quadric_through_neighbors<SampledSurface>& quadric)
-        { result[i] = quadric(m_surface, i); });
-    return result;
-  }
 
   // tells the callback that all is done
   void finish()
