@@ -276,7 +276,6 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                       // the level of noise is that of the whole
     e.difference_of_fits = shared ? .35 : 0.; // the surfaces are coarse
     e.accuracy = shared ? .004 : .002;
-    e.reproducibility = 1e-4; // of points without noise; a larger level of noise gives smaller weights
   }
   for(const bool shared : {true, false})
   {
@@ -290,7 +289,6 @@ std::vector<Estimator<Input>> estimators()
     e.difference_of_fits =
         shared ? std::numeric_limits<double>::infinity() : 0.; // normals of faces aren't exact
     e.accuracy = shared ? .35 : .15;
-    e.reproducibility = 1e-4; // and give its flat functions large weights
   }
   {
     Estimator<Input>& e =
@@ -321,7 +319,6 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                                             // nor is its level of noise
     e.difference_of_fits = std::numeric_limits<double>::infinity(); // it may choose another fit
     e.accuracy = .01;
-    e.reproducibility = 1e-4;
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;

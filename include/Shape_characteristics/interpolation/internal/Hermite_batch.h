@@ -47,14 +47,15 @@ public:
     number_of_equations = equations == Hermite_equations::TANGENTS ? 3 * max_centers + 1 : 4 * max_centers;
     panels = (number_of_equations + 3) / 4;
     const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 6 * max_centers : 0;
-    const std::array<std::size_t, 8> sizes = {6 * max_centers, // points, normals
+    const std::array<std::size_t, 9> sizes = {6 * max_centers, // points, normals
                                               tangents_size,
                                               3 + Height_polynomial<double>::size, // trend, bend
                                               4,                                   // counts, noise, unit
                                               4 * panels,                          // solution
                                               4 * max_centers,                     // weights
-                                              3 + s_jet,                           // evaluation
-                                              8 * panels * (panels + 1)};          // matrix
+                                              3 * max_centers + 5,        // at the first center, polynomial
+                                              3 + s_jet,                  // evaluation
+                                              8 * panels * (panels + 1)}; // matrix
     std::size_t size = 0;
     for(const std::size_t s : sizes)
       size += s * lanes;
@@ -78,9 +79,11 @@ public:
     unit = derivative_noise + lanes;
     solution = next(4);
     weights = next(5);
-    where = next(6);
+    at_first = next(6);
+    polynomial = at_first + 3 * max_centers * lanes;
+    where = next(7);
     jet = where + 3 * lanes;
-    matrix = next(7);
+    matrix = next(8);
     smallest_count = max_centers;
   }
 
@@ -155,6 +158,7 @@ public:
 
   std::size_t number_of_equations = 0, panels = 0;
   bool wants_log_likelihood = false;
+  double radius = 0.;             // largest distance of a center from the first
   std::size_t smallest_count = 0; // centers that no lane lacks
   double* points = nullptr;       // 3 numbers for each center
   double* normals = nullptr;      // 3 numbers for each center
@@ -166,10 +170,12 @@ public:
   double* derivative_noise = nullptr;
   double* unit = nullptr; // root mean square distance of the points from the first
   double* solution = nullptr;
-  double* weights = nullptr; // of the basis function and its gradient: 4 numbers for each center
-  double* where = nullptr;   // point to evaluate at
-  double* jet = nullptr;     // what was evaluated there
-  double* matrix = nullptr;  // after solving: its Cholesky factor, with inverse diagonal
+  double* weights = nullptr;    // of the basis function and its gradient: 4 numbers for each center
+  double* at_first = nullptr;   // psi, P and B of Basis_function_on_lanes between each center and the first
+  double* polynomial = nullptr; // what the weights leave out: constant, linear and quadratic terms, 5 numbers
+  double* where = nullptr;      // point to evaluate at
+  double* jet = nullptr;        // what was evaluated there
+  double* matrix = nullptr;     // after solving: its Cholesky factor, with inverse diagonal
   alignas(64) std::array<double, max_lanes> is_positive_definite{}; // after solving: 1 or 0
   alignas(64) std::array<double, max_lanes> log_likelihood{}; // after solving, if wanted: up to a constant
 

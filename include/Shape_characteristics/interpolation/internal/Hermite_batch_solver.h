@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 namespace Shape_characteristics {
@@ -30,6 +31,7 @@ class Hermite_batch_solver
 public:
   [[gnu::always_inline]] static void assemble(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
+    find_radius(batch);
     if(batch.equations() == Hermite_equations::TANGENTS)
     {
       find_tangents(batch);
@@ -56,23 +58,31 @@ public:
     const V* const weights = vectors(batch.weights);
     const V* const trend = vectors(batch.trend);
     const V* const where = vectors(batch.where);
+    const V* const polynomial = vectors(batch.polynomial);
     const V x = where[0], y = where[1], z = where[2];
-    V value = trend[0] * x + trend[1] * y + trend[2] * z;
-    V gx = trend[0], gy = trend[1], gz = trend[2];
-    V trace{}, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+    const V squared_distance = x * x + y * y + z * z, bending = polynomial[4];
+    V gx = trend[0] + polynomial[1], gy = trend[1] + polynomial[2], gz = trend[2] + polynomial[3];
+    V value = polynomial[0] + gx * x + gy * y + gz * z +
+              bending * (basis_function.at_origin() - 0.5 * squared_distance);
+    gx -= bending * x;
+    gy -= bending * y;
+    gz -= bending * z;
+    V trace = -bending, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
+    const double reach = batch.radius + std::sqrt(largest(squared_distance));
+    const bool is_near = reach * reach <= Basis_function::near;
     for(std::size_t j = 0; j < batch.centers(); ++j)
     {
       const V dx = x - points[3 * j], dy = y - points[3 * j + 1], dz = z - points[3 * j + 2];
       const V alpha = weights[4 * j], bx = weights[4 * j + 1], by = weights[4 * j + 2],
               bz = weights[4 * j + 3];
-      V phi_j, A, B, C;
-      basis_function.template operator()<with_hessian>(V(dx * dx + dy * dy + dz * dz), phi_j, A, B, C);
+      V psi, P, B, C;
+      basis_function.template operator()<with_hessian>(V(dx * dx + dy * dy + dz * dz), is_near, psi, P, B, C);
       const V s = bx * dx + by * dy + bz * dz;
-      const V first = alpha * A - B * s;
-      value += alpha * phi_j - A * s;
-      gx += first * dx - A * bx;
-      gy += first * dy - A * by;
-      gz += first * dz - A * bz;
+      const V first = alpha * P - B * s;
+      value += alpha * psi - P * s;
+      gx += first * dx - P * bx;
+      gy += first * dy - P * by;
+      gz += first * dz - P * bz;
       if constexpr(with_hessian)
       {
         // second d d^T - B (b d^T + d b^T), as the symmetric part of d e^T
@@ -167,31 +177,47 @@ private:
     present = count > double(i) ? one : zero;
   }
 
-  // the basis function of center `j` at center `i`, or 0 in lanes that lack `i`; `j <= i`
-  [[gnu::always_inline]] static void relate(Hermite_batch& batch,
+  [[gnu::always_inline]] static double largest(const V& v)
+  {
+    double numbers[n], result = 0.;
+    std::memcpy(numbers, &v, sizeof(V));
+    for(const double number : numbers)
+      result = (std::max)(result, number);
+    return result;
+  }
+
+  [[gnu::always_inline]] static void find_radius(Hermite_batch& batch)
+  {
+    const V* const points = vectors(batch.points);
+    V square{};
+    for(std::size_t i = 1; i < batch.centers(); ++i)
+    {
+      const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+      const V q = x * x + y * y + z * z;
+      square = q > square ? q : square;
+    }
+    batch.radius = std::sqrt(largest(square));
+  }
+
+  // the basis function of center `j` at center `i`
+  [[gnu::always_inline]] static void relate(const Hermite_batch& batch,
                                             const Basis_function& basis_function,
                                             std::size_t i,
                                             std::size_t j,
-                                            const V& present,
                                             V& dx,
                                             V& dy,
                                             V& dz,
-                                            V& phi,
-                                            V& A,
+                                            V& psi,
+                                            V& P,
                                             V& B)
   {
     const V* const points = vectors(batch.points);
     dx = points[3 * i] - points[3 * j];
     dy = points[3 * i + 1] - points[3 * j + 1];
     dz = points[3 * i + 2] - points[3 * j + 2];
+    const bool is_near = 4. * batch.radius * batch.radius <= Basis_function::near;
     V unused;
-    basis_function.template operator()<false>(V(dx * dx + dy * dy + dz * dz), phi, A, B, unused);
-    if(i >= batch.smallest_count)
-    {
-      phi = phi * present;
-      A = A * present;
-      B = B * present;
-    }
+    basis_function.template operator()<false>(V(dx * dx + dy * dy + dz * dz), is_near, psi, P, B, unused);
   }
 
   // where row `r` begins
@@ -367,53 +393,84 @@ private:
   {
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
+    V* const at_first = vectors(batch.at_first);
     const V* const points = vectors(batch.points);
     const V* const normals = vectors(batch.normals);
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
-    const V tx = trend[0], ty = trend[1], tz = trend[2];
     for(std::size_t i = 0; i < batch.centers(); ++i)
     {
       V present;
       presence(batch, i, present);
-      const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+      const V* const p = points + 3 * i;
       V* const entries = matrix + Hermite_batch::panel(i);
-      for(std::size_t j = 0; j <= i; ++j)
+      V dx, dy, dz, psi, P, B;
+      relate(batch, basis_function, i, 0, dx, dy, dz, psi, P, B);
+      const V psi_i = psi, P_i = P, B_i = B;
+      at_first[3 * i] = psi_i;
+      at_first[3 * i + 1] = P_i;
+      at_first[3 * i + 2] = B_i;
+      set_derivatives(entries, dx, dy, dz, P, B);
+      if(i == 0)
       {
-        V dx, dy, dz, phi, A, B;
-        relate(batch, basis_function, i, j, present, dx, dy, dz, phi, A, B);
-        V* const block = entries + 16 * j;
-        const V Ax = A * dx, Ay = A * dy, Az = A * dz;
-        const V Bx = B * dx, By = B * dy, Bz = B * dz;
-        const V xy = -Bx * dy, xz = -Bx * dz, yz = -By * dz;
-        block[0] = phi;
-        block[1] = Ax;
-        block[2] = Ay;
-        block[3] = Az;
-        block[4] = -Ax;
-        block[5] = -A - Bx * dx;
-        block[6] = xy;
-        block[7] = xz;
-        block[8] = -Ay;
-        block[9] = xy;
-        block[10] = -A - By * dy;
-        block[11] = yz;
-        block[12] = -Az;
-        block[13] = xz;
-        block[14] = yz;
-        block[15] = -A - Bz * dz;
+        for(std::size_t k = 1; k < 4; ++k)
+          entries[k] = entries[4 * k] = V{};
+        set_lanes(entries[0], basis_function.at_origin());
       }
+      else
+      {
+        const V value = -(P_i + derivative_noise), derivative = P_i - 1.;
+        entries[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - value_noise;
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          entries[4 * (k + 1)] = value * p[k];
+          entries[k + 1] = derivative * p[k];
+        }
+      }
+      for(std::size_t j = 1; j <= i; ++j)
+      {
+        relate(batch, basis_function, i, j, dx, dy, dz, psi, P, B);
+        const V* const q = points + 3 * j;
+        const V psi_j = at_first[3 * j], P_j = at_first[3 * j + 1], B_j = at_first[3 * j + 2];
+        const V pq = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+        V* const block = entries + 16 * j;
+        set_derivatives(block, dx, dy, dz, P, B);
+        block[0] = (psi - (psi_i - value_noise) - psi_j) + (P_i + P_j + derivative_noise) * pq;
+        const V of_i = P_j - P, of_j = B_j * pq - of_i;
+        const V for_j = P_i - P, for_i = B_i * pq - for_j;
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          block[4 * (k + 1)] = of_i * p[k] + of_j * q[k];
+          block[k + 1] = for_j * q[k] + for_i * p[k];
+        }
+      }
+      if(i >= batch.smallest_count)
+        for(std::size_t k = 0; k < 16 * (i + 1); ++k)
+          entries[k] *= present;
       const V absent = 1. - present;
       V* const diagonal = entries + 16 * i;
       diagonal[0] += value_noise + absent;
-      diagonal[5] += derivative_noise + absent;
-      diagonal[10] += derivative_noise + absent;
-      diagonal[15] += derivative_noise + absent;
-      solution[4 * i] = -present * (tx * x + ty * y + tz * z);
-      solution[4 * i + 1] = present * (normals[3 * i] - tx);
-      solution[4 * i + 2] = present * (normals[3 * i + 1] - ty);
-      solution[4 * i + 3] = present * (normals[3 * i + 2] - tz);
+      for(std::size_t k = 1; k < 4; ++k)
+        diagonal[5 * k] += derivative_noise + absent;
+      solution[4 * i] = -present * (normals[0] * p[0] + normals[1] * p[1] + normals[2] * p[2]);
+      for(std::size_t k = 0; k < 3; ++k)
+        solution[4 * i + 1 + k] = present * (normals[3 * i + k] - trend[k]);
     }
+  }
+
+  // of derivatives at both: -A I - B d d^T
+  [[gnu::always_inline]] static void
+  set_derivatives(V* block, const V& dx, const V& dy, const V& dz, const V& P, const V& B)
+  {
+    const V minus_A = 1. - P;
+    const V Bx = B * dx, By = B * dy, Bz = B * dz;
+    const V xy = -Bx * dy, xz = -Bx * dz, yz = -By * dz;
+    block[5] = minus_A - Bx * dx;
+    block[6] = block[9] = xy;
+    block[7] = block[13] = xz;
+    block[10] = minus_A - By * dy;
+    block[11] = block[14] = yz;
+    block[15] = minus_A - Bz * dz;
   }
 
   // Rows 0 to 3 are those of the first center: value, tangents, normal; then come three of each center.
@@ -426,70 +483,99 @@ private:
     const V* const tangents = vectors(batch.tangents);
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
-    const V tx = trend[0], ty = trend[1], tz = trend[2];
+    V* const at_first = vectors(batch.at_first);
     const Bent_trend bent(batch);
-    for(std::size_t i = 0; i < batch.centers(); ++i)
+    for(std::size_t r = 0; r < 4; ++r)
+    {
+      for(std::size_t c = 0; c < 4; ++c)
+        matrix[4 * c + r] = V{};
+      solution[r] = V{};
+    }
+    for(std::size_t k = 0; k < 3; ++k)
+      at_first[k] = V{};
+    matrix[0] = basis_function.at_origin() + value_noise;
+    for(std::size_t k = 1; k < 4; ++k)
+      matrix[5 * k] = 1. + derivative_noise;
+    for(std::size_t i = 1; i < batch.centers(); ++i)
     {
       V present;
       presence(batch, i, present);
-      const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
-      const V ux = tangents[6 * i], uy = tangents[6 * i + 1], uz = tangents[6 * i + 2];
-      const V vx = tangents[6 * i + 3], vy = tangents[6 * i + 4], vz = tangents[6 * i + 5];
-      const std::size_t first_row = i == 0 ? 0 : 3 * i + 1;
-      V* const value_row = row(matrix, first_row);
-      V* const u_row = row(matrix, first_row + 1);
-      V* const v_row = row(matrix, first_row + 2);
-      V* const normal_row = row(matrix, 3); // of the first center only
-      for(std::size_t j = 0; j <= i; ++j)
+      const V* const p = points + 3 * i;
+      const V* const u = tangents + 6 * i;
+      const V* const v = u + 3;
+      V* const value_row = row(matrix, 3 * i + 1);
+      V* const u_row = row(matrix, 3 * i + 2);
+      V* const v_row = row(matrix, 3 * i + 3);
+      const V up = u[0] * p[0] + u[1] * p[1] + u[2] * p[2], vp = v[0] * p[0] + v[1] * p[1] + v[2] * p[2];
+      V dx, dy, dz, psi, P, B;
+      relate(batch, basis_function, i, 0, dx, dy, dz, psi, P, B);
+      const V psi_i = psi - value_noise, P_i = P, B_i = B, noisy_P_i = P + derivative_noise;
+      at_first[3 * i] = psi;
+      at_first[3 * i + 1] = P;
+      at_first[3 * i + 2] = B;
+      const V B_up = B * up, B_vp = B * vp;
+      value_row[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+      u_row[0] = (P - 1.) * up;
+      v_row[0] = (P - 1.) * vp;
+      for(std::size_t k = 0; k < 3; ++k)
       {
-        V dx, dy, dz, phi, A, B;
-        relate(batch, basis_function, i, j, present, dx, dy, dz, phi, A, B);
-        const V ud = ux * dx + uy * dy + uz * dz, vd = vx * dx + vy * dy + vz * dz;
-        const V Bud = B * ud, Bvd = B * vd;
-        std::size_t column = 4 * (j == 0 ? 0 : 3 * j + 1);
-        value_row[column] = phi;
-        u_row[column] = A * ud;
-        v_row[column] = A * vd;
-        // - A (u.w) - B (u.d) (w.d) = - (A u + B (u.d) d) . w
-        const V px = A * ux + Bud * dx, py = A * uy + Bud * dy, pz = A * uz + Bud * dz;
-        const V qx = A * vx + Bvd * dx, qy = A * vy + Bvd * dy, qz = A * vz + Bvd * dz;
+        // tangents and normal of the first center
+        const V* const w = k < 2 ? tangents + 3 * k : trend;
+        const V wp = w[0] * p[0] + w[1] * p[1] + w[2] * p[2];
+        value_row[4 * (k + 1)] = -noisy_P_i * wp;
+        u_row[4 * (k + 1)] = -(noisy_P_i * (u[0] * w[0] + u[1] * w[1] + u[2] * w[2]) + B_up * wp);
+        v_row[4 * (k + 1)] = -(noisy_P_i * (v[0] * w[0] + v[1] * w[1] + v[2] * w[2]) + B_vp * wp);
+      }
+      for(std::size_t j = 1; j <= i; ++j)
+      {
+        relate(batch, basis_function, i, j, dx, dy, dz, psi, P, B);
+        const V* const q = points + 3 * j;
+        const V psi_j = at_first[3 * j], P_j = at_first[3 * j + 1], B_j = at_first[3 * j + 2];
+        const V pq = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+        const V uq = u[0] * q[0] + u[1] * q[1] + u[2] * q[2], vq = v[0] * q[0] + v[1] * q[1] + v[2] * q[2];
+        const V s = P - noisy_P_i - P_j;
+        const V of_value = P - P_j + B_j * pq, for_value = P - P_i + B_i * pq;
+        const V Bud = B * (up - uq), Bvd = B * (vp - vq);
+        const V ui = Bud - B_up, uj = Bud + B_j * uq, vi = Bvd - B_vp, vj = Bvd + B_j * vq;
+        std::size_t column = 4 * (3 * j + 1);
+        value_row[column] = (psi - psi_i - psi_j) + (P - s) * pq;
+        u_row[column] = for_value * up - s * uq;
+        v_row[column] = for_value * vp - s * vq;
+        V a[3], b[3], c[3];
+        for(std::size_t k = 0; k < 3; ++k)
+        {
+          a[k] = of_value * q[k] - s * p[k];
+          b[k] = s * u[k] + ui * p[k] - uj * q[k];
+          c[k] = s * v[k] + vi * p[k] - vj * q[k];
+        }
         for(std::size_t k = 0; k < 2; ++k)
         {
           column += 4;
-          const V wx = tangents[6 * j + 3 * k], wy = tangents[6 * j + 3 * k + 1],
-                  wz = tangents[6 * j + 3 * k + 2];
-          value_row[column] = -(A * (wx * dx + wy * dy + wz * dz));
-          u_row[column] = -(px * wx + py * wy + pz * wz);
-          v_row[column] = -(qx * wx + qy * wy + qz * wz);
-        }
-        if(j == 0)
-        {
-          column += 4;
-          value_row[column] = -(A * (tx * dx + ty * dy + tz * dz));
-          u_row[column] = -(px * tx + py * ty + pz * tz);
-          v_row[column] = -(qx * tx + qy * ty + qz * tz);
-          if(i == 0) // d = 0
-          {
-            normal_row[0] = V{};
-            normal_row[4] = -A * (tx * ux + ty * uy + tz * uz);
-            normal_row[8] = -A * (tx * vx + ty * vy + tz * vz);
-            normal_row[12] = -A * (tx * tx + ty * ty + tz * tz) + derivative_noise;
-          }
+          const V* const w = tangents + 6 * j + 3 * k;
+          value_row[column] = a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
+          u_row[column] = -(b[0] * w[0] + b[1] * w[1] + b[2] * w[2]);
+          v_row[column] = -(c[0] * w[0] + c[1] * w[1] + c[2] * w[2]);
         }
       }
+      if(i >= batch.smallest_count)
+        for(std::size_t k = 0; k < 3 * i + 4; ++k)
+        {
+          value_row[4 * k] *= present;
+          u_row[4 * k] *= present;
+          v_row[4 * k] *= present;
+        }
       const V absent = 1. - present;
-      value_row[4 * first_row] += value_noise + absent;
-      u_row[4 * (first_row + 1)] += derivative_noise + absent;
-      v_row[4 * (first_row + 2)] += derivative_noise + absent;
+      value_row[4 * (3 * i + 1)] += value_noise + absent;
+      u_row[4 * (3 * i + 2)] += derivative_noise + absent;
+      v_row[4 * (3 * i + 3)] += derivative_noise + absent;
       V a, b, h, gx, gy, gz;
-      bent.project(x, y, z, a, b);
+      bent.project(p[0], p[1], p[2], a, b);
       bent.height.value(a, b, h);
       bent.gradient(a, b, gx, gy, gz);
-      solution[first_row] = present * (h - (tx * x + ty * y + tz * z));
-      solution[first_row + 1] = -present * (gx * ux + gy * uy + gz * uz);
-      solution[first_row + 2] = -present * (gx * vx + gy * vy + gz * vz);
+      solution[3 * i + 1] = present * (h - (trend[0] * p[0] + trend[1] * p[1] + trend[2] * p[2]));
+      solution[3 * i + 2] = -present * (gx * u[0] + gy * u[1] + gz * u[2]);
+      solution[3 * i + 3] = -present * (gx * v[0] + gy * v[1] + gz * v[2]);
     }
-    solution[3] = 1. - (tx * tx + ty * ty + tz * tz);
     fill_last_panel(batch);
   }
 
@@ -682,29 +768,55 @@ private:
     }
   }
 
-  // what the solution says about the basis function at each center and its gradient
+  // What the solution says about the basis function without its first terms at each center, about the gradient of that, and
+  // about the polynomial that those terms add up to.
   [[gnu::always_inline]] static void collect_weights(Hermite_batch& batch)
   {
     const V* const solution = vectors(batch.solution);
+    const V* const points = vectors(batch.points);
     V* const weights = vectors(batch.weights);
-    if(batch.equations() == Hermite_equations::GRADIENTS)
-    {
+    V* const polynomial = vectors(batch.polynomial);
+    const bool has_gradients = batch.equations() == Hermite_equations::GRADIENTS;
+    if(has_gradients)
       for(std::size_t k = 0; k < 4 * batch.centers(); ++k)
         weights[k] = solution[k];
-      return;
-    }
-    const V* const tangents = vectors(batch.tangents);
-    const V* const trend = vectors(batch.trend);
-    for(std::size_t j = 0; j < batch.centers(); ++j)
+    else
     {
-      const std::size_t r = j == 0 ? 0 : 3 * j + 1;
-      weights[4 * j] = solution[r];
+      const V* const tangents = vectors(batch.tangents);
+      const V* const trend = vectors(batch.trend);
+      for(std::size_t j = 0; j < batch.centers(); ++j)
+      {
+        const std::size_t r = j == 0 ? 0 : 3 * j + 1;
+        weights[4 * j] = solution[r];
+        for(std::size_t c = 0; c < 3; ++c)
+          weights[4 * j + 1 + c] =
+              solution[r + 1] * tangents[6 * j + c] + solution[r + 2] * tangents[6 * j + 3 + c];
+      }
       for(std::size_t c = 0; c < 3; ++c)
-        weights[4 * j + 1 + c] =
-            solution[r + 1] * tangents[6 * j + c] + solution[r + 2] * tangents[6 * j + 3 + c];
+        weights[1 + c] += solution[3] * trend[c];
     }
+    V values{}, constant{};
+    V moment[3] = {}, derivatives[3] = {};
+    for(std::size_t j = 1; j < batch.centers(); ++j)
+    {
+      const V* const p = points + 3 * j;
+      const V* const w = weights + 4 * j;
+      values += w[0];
+      for(std::size_t c = 0; c < 3; ++c)
+      {
+        constant += p[c] * (0.5 * w[0] * p[c] + w[1 + c]);
+        moment[c] += w[0] * p[c];
+        derivatives[c] += w[1 + c];
+      }
+    }
+    polynomial[0] = -constant;
     for(std::size_t c = 0; c < 3; ++c)
-      weights[1 + c] += solution[3] * trend[c];
+    {
+      polynomial[1 + c] = has_gradients ? weights[1 + c] + derivatives[c] : weights[1 + c];
+      weights[1 + c] -= has_gradients ? moment[c] : moment[c] + derivatives[c];
+    }
+    polynomial[4] = weights[0];
+    weights[0] -= values;
   }
 };
 

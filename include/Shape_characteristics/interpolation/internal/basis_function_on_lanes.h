@@ -11,21 +11,32 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// The radial derivatives phi, A, B, C of a positive definite basis function, divided by -A(0), on lanes. `C` is left
-// alone unless `with_third`. Functions with a shape parameter have that of 1: the points were scaled instead.
-//
-// This one serves any basis function, by its scalar member; those below are those of the defaults.
+/*
+  A positive definite basis function and its radial derivatives, divided by -A(0), on lanes, without what the first two are
+  at the origin: psi = phi - phi(0) + q / 2, P = A + 1, B, C at q = r^2. They are found without cancellation, so that small
+  ones have as many digits as others. `C` is left alone unless `with_third`. `is_near` says that no q is larger than
+  `near`, which saves time. Functions with a shape parameter have that of 1: the points were scaled instead.
+
+  This one serves any basis function, by its scalar member, from which it has to subtract; those below are those of the
+  defaults.
+*/
 template <typename RadialBasisFunction>
 class Basis_function_on_lanes
 {
 public:
+  static constexpr double near = 0.;
+
   explicit Basis_function_on_lanes(const RadialBasisFunction& phi)
     : m_phi(phi),
-      m_factor(-1. / phi.radial_derivatives(0.)[1])
+      m_factor(-1. / phi.radial_derivatives(0.)[1]),
+      m_origin(m_factor * phi.radial_derivatives(0.)[0])
   {}
 
+  // phi(0)
+  double at_origin() const { return m_origin; }
+
   template <bool with_third, typename V>
-  [[gnu::always_inline]] void operator()(const V& q, V& phi, V& A, V& B, V& C) const
+  [[gnu::always_inline]] void operator()(const V& q, bool, V& psi, V& P, V& B, V& C) const
   {
     constexpr int n = number_of_lanes<V>;
     std::array<double, n> argument, value, first, second, third;
@@ -33,13 +44,13 @@ public:
     for(int lane = 0; lane < n; ++lane)
     {
       const std::array<double, 4> radial = m_phi.radial_derivatives(argument[lane]);
-      value[lane] = m_factor * radial[0];
-      first[lane] = m_factor * radial[1];
+      value[lane] = m_factor * radial[0] - m_origin + 0.5 * argument[lane];
+      first[lane] = m_factor * radial[1] + 1.;
       second[lane] = m_factor * radial[2];
       third[lane] = m_factor * radial[3];
     }
-    std::memcpy(&phi, value.data(), sizeof(V));
-    std::memcpy(&A, first.data(), sizeof(V));
+    std::memcpy(&psi, value.data(), sizeof(V));
+    std::memcpy(&P, first.data(), sizeof(V));
     std::memcpy(&B, second.data(), sizeof(V));
     if constexpr(with_third)
       std::memcpy(&C, third.data(), sizeof(V));
@@ -47,22 +58,30 @@ public:
 
 private:
   RadialBasisFunction m_phi;
-  double m_factor;
+  double m_factor, m_origin;
 };
 
 template <>
 class Basis_function_on_lanes<Inverse_multiquadric>
 {
 public:
+  static constexpr double near = 0.;
+
   explicit Basis_function_on_lanes(const Inverse_multiquadric&) {}
 
+  double at_origin() const { return 1.; }
+
   template <bool with_third, typename V>
-  [[gnu::always_inline]] void operator()(const V& q, V& phi, V& A, V& B, V& C) const
+  [[gnu::always_inline]] void operator()(const V& q, bool, V& psi, V& P, V& B, V& C) const
   {
-    inverse_sqrt(V(1. + q), phi);
+    const V inverse_square = 1. + q;
+    V phi;
+    inverse_sqrt(inverse_square, phi);
     const V square = phi * phi;
-    A = -(square * phi);
-    B = -3. * square * A;
+    const V difference = q * square / (1. + phi); // 1 - phi
+    psi = 0.5 * (difference * difference) * ((1. + 2. * phi) * inverse_square);
+    P = difference * (1. + phi + square);
+    B = 3. * (square * square) * phi;
     if constexpr(with_third)
       C = -5. * square * B;
   }
@@ -72,18 +91,64 @@ template <>
 class Basis_function_on_lanes<Matern_9_2>
 {
 public:
+  static constexpr double near = 4.;
+
   explicit Basis_function_on_lanes(const Matern_9_2&) {}
 
+  double at_origin() const { return 7.; }
+
   template <bool with_third, typename V>
-  [[gnu::always_inline]] void operator()(const V& q, V& phi, V& A, V& B, V& C) const
+  [[gnu::always_inline]] void operator()(const V& q, bool is_near, V& psi, V& P, V& B, V& C) const
   {
     const V positive = q + 1e-300; // the root of 0 is 1e-150
-    V a, e;
+    V a;
     inverse_sqrt(positive, a);
     a = positive * a;
-    exp_of_negative(V(-a), e);
-    phi = (7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))))) * e;
-    A = -(1. + a * (1. + a * (2. / 5. + a * (1. / 15.)))) * e;
+    const V of_phi = 7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))));
+    const V of_A = 1. + a * (1. + a * (2. / 5. + a * (1. / 15.)));
+
+    // exp(-a) as Taylor's polynomial of degree 8 and a^9 times the remainder, which is the best polynomial for a <= 2. Of what
+    // the former contributes to psi and P, the first terms are known.
+    V r;
+    set_lanes(r, -4.8010719143213714e-18);
+    r = r * a + 1.4150744708157523e-16;
+    r = r * a - 2.7739758113497356e-15;
+    r = r * a + 4.7734117918313206e-14;
+    r = r * a - 7.646526495389217e-13;
+    r = r * a + 1.1470702340463107e-11;
+    r = r * a - 1.6059041999047809e-10;
+    r = r * a + 2.0876756942195778e-09;
+    r = r * a - 2.5052108384858402e-08;
+    r = r * a + 2.755731922398298e-07;
+    r = r * a - 2.755731922398589e-06;
+    const V qq = q * q, a5 = qq * a;
+    V e;
+    set_lanes(e, 1. / 40320.);
+    e = e * a - 1. / 5040.;
+    e = e * a + 1. / 720.;
+    e = e * a - 1. / 120.;
+    e = e * a + 1. / 24.;
+    e = e * a - 1. / 6.;
+    e = e * a + 0.5;
+    e = e * a - 1.;
+    e = e * a + 1.;
+    e = e + (a5 * qq) * r;
+    psi =
+        qq *
+        ((1. / 40. + q * (-1. / 720. + q * (1. / 5760.))) +
+         a5 * (of_phi * r + (-31. / 604800. + a * (1. / 28800. + a * (1. / 302400. + a * (1. / 604800.))))));
+    P = q * ((1. / 10. + q * (-1. / 120. + q * (1. / 720.))) +
+             a5 * ((-1. / 1575. +
+                    a * (1. / 5760. + a * (-23. / 604800. + a * (1. / 302400. + a * (-1. / 604800.))))) -
+                   q * (of_A * r)));
+    if(!is_near)
+    {
+      V far;
+      exp_of_negative(V(-a), far);
+      psi = q > near ? of_phi * far + (0.5 * q - 7.) : psi;
+      P = q > near ? 1. - of_A * far : P;
+      e = q > near ? far : e;
+    }
     B = (1. / 5. + a * (1. / 5. + a * (1. / 15.))) * e;
     if constexpr(with_third)
       C = (-1. / 15. + a * (-1. / 15.)) * e;
