@@ -276,6 +276,8 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                       // the level of noise is that of the whole
     e.difference_of_fits = shared ? .35 : 0.; // the surfaces are coarse
     e.accuracy = shared ? .004 : .002;
+    if constexpr(std::is_same_v<Input, Point_set>)
+      e.reproducibility = 1e-7; // a sheet that bends little: it is what is left of large numbers
   }
   for(const bool shared : {true, false})
   {
@@ -289,6 +291,7 @@ std::vector<Estimator<Input>> estimators()
     e.difference_of_fits =
         shared ? std::numeric_limits<double>::infinity() : 0.; // normals of faces aren't exact
     e.accuracy = shared ? .35 : .15;
+    e.reproducibility = 1e-6; // normals of faces aren't exact, and following them takes large weights
   }
   {
     Estimator<Input>& e =
@@ -319,6 +322,7 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                                             // nor is its level of noise
     e.difference_of_fits = std::numeric_limits<double>::infinity(); // it may choose another fit
     e.accuracy = .01;
+    e.reproducibility = 1e-6; // it has fits to exact normals among its choices
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;

@@ -12,6 +12,7 @@
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
+#include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
@@ -22,6 +23,7 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -183,7 +185,53 @@ void check_lanes()
   BOOST_TEST(of_exponential < 4. * epsilon);
 }
 
+// largest relative error of psi, P and B, where long double can tell; `exact` gives phi, A and B
+template <typename RadialBasisFunction, typename Exact>
+double error_of_remainders(const RadialBasisFunction& phi, const Exact& exact)
+{
+  const internal::Basis_function_on_lanes<RadialBasisFunction> on_lanes(phi);
+  double largest = 0.;
+  for(double q = .01; q < 1000.; q *= 1.01)
+  {
+    double psi, P, B, C;
+    on_lanes.template operator()<false>(q, false, psi, P, B, C);
+    const std::array<long double, 3> e = exact((long double)(q));
+    const long double origin = on_lanes.at_origin();
+    for(const double error :
+        {double(psi / (e[0] - origin + q / 2) - 1), double(P / (e[1] + 1) - 1), double(B / e[2] - 1)})
+      largest = std::max(largest, std::abs(error));
+    if(q <= on_lanes.near)
+    {
+      double near_psi, near_P, near_B;
+      on_lanes.template operator()<false>(q, true, near_psi, near_P, near_B, C);
+      BOOST_TEST((near_psi == psi && near_P == P && near_B == B));
+    }
+  }
+  return largest;
+}
+
 } // namespace
+
+BOOST_AUTO_TEST_CASE(remainders_of_basis_functions)
+{
+  using Number = long double;
+  BOOST_TEST(error_of_remainders(
+                 SC::Inverse_multiquadric(1.),
+                 [](const Number q)
+                 {
+                   const Number phi = 1 / std::sqrt(1 + q);
+                   return std::array<Number, 3>{phi, -phi * phi * phi, 3 * phi * phi * phi * phi * phi};
+                 }) < 1e-12);
+  BOOST_TEST(error_of_remainders(SC::Matern_9_2(1.),
+                                 [](const Number q)
+                                 {
+                                   const Number a = std::sqrt(q), e = std::exp(-a);
+                                   return std::array<Number, 3>{
+                                       (7 + a * (7 + a * (3 + a * (Number(2) / 3 + a / 15)))) * e,
+                                       -(1 + a * (1 + a * (Number(2) / 5 + a / 15))) * e,
+                                       (1 + a * (1 + a / 3)) / 5 * e};
+                                 }) < 1e-12);
+}
 
 BOOST_AUTO_TEST_CASE(functions_on_lanes)
 {

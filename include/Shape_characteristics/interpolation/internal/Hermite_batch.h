@@ -46,7 +46,7 @@ public:
     m_equations = equations;
     number_of_equations = equations == Hermite_equations::TANGENTS ? 3 * max_centers + 1 : 4 * max_centers;
     panels = (number_of_equations + 3) / 4;
-    const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 6 * max_centers : 0;
+    const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 8 * max_centers : 0;
     const std::array<std::size_t, 9> sizes = {6 * max_centers, // points, normals
                                               tangents_size,
                                               3 + Height_polynomial<double>::size, // trend, bend
@@ -71,6 +71,7 @@ public:
     points = next(0);
     normals = points + 3 * max_centers * lanes;
     tangents = next(1);
+    along_tangents = tangents + 6 * max_centers * lanes;
     trend = next(2);
     bend = trend + 3 * lanes;
     count = next(3);
@@ -158,15 +159,16 @@ public:
 
   std::size_t number_of_equations = 0, panels = 0;
   bool wants_log_likelihood = false;
-  double radius = 0.;             // largest distance of a center from the first
-  std::size_t smallest_count = 0; // centers that no lane lacks
-  double* points = nullptr;       // 3 numbers for each center
-  double* normals = nullptr;      // 3 numbers for each center
-  double* tangents = nullptr;     // of TANGENTS: 6 numbers for each center, found from the normals
-  double* trend = nullptr;        // 3 numbers; of TANGENTS also the normal of the first center
-  double* bend = nullptr;         // of TANGENTS: Height_polynomial over the tangents of the first center
-  double* count = nullptr;        // number of centers
-  double* value_noise = nullptr;  // variances, added to the diagonal
+  double radius = 0.;               // largest distance of a center from the first
+  std::size_t smallest_count = 0;   // centers that no lane lacks
+  double* points = nullptr;         // 3 numbers for each center
+  double* normals = nullptr;        // 3 numbers for each center
+  double* tangents = nullptr;       // of TANGENTS: 6 numbers for each center, found from the normals
+  double* along_tangents = nullptr; // of TANGENTS: how far each center lies along its tangents, 2 numbers
+  double* trend = nullptr;          // 3 numbers; of TANGENTS also the normal of the first center
+  double* bend = nullptr;           // of TANGENTS: Height_polynomial over the tangents of the first center
+  double* count = nullptr;          // number of centers
+  double* value_noise = nullptr;    // variances, added to the diagonal
   double* derivative_noise = nullptr;
   double* unit = nullptr; // root mean square distance of the points from the first
   double* solution = nullptr;

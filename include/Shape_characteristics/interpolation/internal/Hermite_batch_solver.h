@@ -19,6 +19,14 @@ namespace internal {
 /*
   Assembles, factorizes and evaluates the systems of a Hermite_batch, `n` at a time. Hermite_system says what the equations are.
 
+  The equations are taken in another basis. Flat basis functions make rows that are nearly equal, large weights of opposite signs,
+  and results that rounding errors of the entries are seen in. Nearly all of an entry comes from the first terms of the basis
+  function, phi(0) - q / 2 with q = |x - y|^2; these are the same for a value f(p) and for f(0) + p . grad f(0), what value and
+  gradient at the first center, the origin, say about it. So with each value, that is subtracted; and from each derivative along a
+  tangent, that of grad f(0). The first terms are then left in the columns of the first center alone, and what is small elsewhere is
+  computed from Basis_function_on_lanes, which gives all its digits. With estimated normals, the weights of derivatives are small
+  for their noise, and these equations stay as they are. The determinant is the same, and so are solution and likelihood.
+
   The lower triangle of the matrix lies in panels of four rows, column by column, so that the innermost loop of the
   factorization reads two panels from front to back, and each number it reads is used four times.
 */
@@ -484,6 +492,7 @@ private:
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
     V* const at_first = vectors(batch.at_first);
+    V* const along_tangents = vectors(batch.along_tangents);
     const Bent_trend bent(batch);
     for(std::size_t r = 0; r < 4; ++r)
     {
@@ -513,6 +522,8 @@ private:
       at_first[3 * i] = psi;
       at_first[3 * i + 1] = P;
       at_first[3 * i + 2] = B;
+      along_tangents[2 * i] = up;
+      along_tangents[2 * i + 1] = vp;
       const V B_up = B * up, B_vp = B * vp;
       value_row[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
       u_row[0] = (P - 1.) * up;
@@ -541,20 +552,14 @@ private:
         value_row[column] = (psi - psi_i - psi_j) + (P - s) * pq;
         u_row[column] = for_value * up - s * uq;
         v_row[column] = for_value * vp - s * vq;
-        V a[3], b[3], c[3];
-        for(std::size_t k = 0; k < 3; ++k)
-        {
-          a[k] = of_value * q[k] - s * p[k];
-          b[k] = s * u[k] + ui * p[k] - uj * q[k];
-          c[k] = s * v[k] + vi * p[k] - vj * q[k];
-        }
         for(std::size_t k = 0; k < 2; ++k)
         {
           column += 4;
           const V* const w = tangents + 6 * j + 3 * k;
-          value_row[column] = a[0] * w[0] + a[1] * w[1] + a[2] * w[2];
-          u_row[column] = -(b[0] * w[0] + b[1] * w[1] + b[2] * w[2]);
-          v_row[column] = -(c[0] * w[0] + c[1] * w[1] + c[2] * w[2]);
+          const V wp = w[0] * p[0] + w[1] * p[1] + w[2] * p[2], wq = along_tangents[2 * j + k];
+          value_row[column] = of_value * wq - s * wp;
+          u_row[column] = uj * wq - ui * wp - s * (u[0] * w[0] + u[1] * w[1] + u[2] * w[2]);
+          v_row[column] = vj * wq - vi * wp - s * (v[0] * w[0] + v[1] * w[1] + v[2] * w[2]);
         }
       }
       if(i >= batch.smallest_count)
