@@ -277,7 +277,7 @@ std::vector<Estimator<Input>> estimators()
     e.difference_of_fits = shared ? .35 : 0.; // the surfaces are coarse
     e.accuracy = shared ? .004 : .002;
     if constexpr(std::is_same_v<Input, Point_set>)
-      e.reproducibility = 1e-7; // a sheet that bends little: it is what is left of large numbers
+      e.reproducibility = 1e-7; // at the border, neighbors lie on one side
   }
   for(const bool shared : {true, false})
   {

@@ -60,8 +60,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   fit for each vertex.
 
   With normals that are given, the results follow scaling by powers of two to the last bit. Other scalings they follow to some
-  1e-10 of the largest curvature on meshes, and to 1e-8 where points lie nearly in a plane; where normals that are said to be exact
-  aren't, to 1e-7: the systems of equations magnify the rounding of the coordinates.
+  1e-10 of the largest curvature on meshes, to 1e-8 at the border of a point set, where all the neighbors lie on one side, and to 1e-7
+  where normals that are said to be exact aren't: the systems of equations magnify the rounding of the coordinates.
 
   \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
