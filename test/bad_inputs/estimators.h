@@ -235,6 +235,20 @@ std::string complaint_of_scaled(const Estimator<Input>& estimator,
   return "";
 }
 
+// what else than dividing the curvatures scaling does, relative to the largest of them
+inline double change_by_scaling(const Results& original, const Results& scaled, double scale)
+{
+  double change = 0.;
+  for(std::size_t i = 0; i < original.samples.size(); ++i)
+  {
+    const Estimate &a = original.samples[i], &b = scaled.samples[i];
+    if(SC::is_estimated(a.status) && SC::is_estimated(b.status))
+      change = (std::max)(
+          {change, std::abs(b.k_min() * scale - a.k_min()), std::abs(b.k_max() * scale - a.k_max())});
+  }
+  return change / largest(original);
+}
+
 } // namespace bad_inputs
 
 #endif // SHAPE_CHARACTERISTICS_TEST_BAD_INPUTS_ESTIMATORS_H

@@ -645,6 +645,8 @@ BOOST_AUTO_TEST_CASE(scaling)
         {
           const Results b =
               estimator.all(mesh_of(transformed(surface, [&](const Vector& p) { return scale * p; })));
+          BOOST_TEST_MESSAGE(surface.name << ", " << estimator.name << " times " << scale << ": changed by "
+                                          << change_by_scaling(a, b, scale));
           BOOST_TEST(complaint_of_scaled(estimator, a, b, scale) == "");
         }
     }
@@ -691,6 +693,8 @@ BOOST_AUTO_TEST_CASE(rigid_motion)
         BOOST_TEST_CONTEXT(surface.name << ", " << estimator.name)
         {
           const Results a = estimator.all(mesh), b = estimator.all(moved);
+          BOOST_TEST_MESSAGE(surface.name << " moved, " << estimator.name << ": changed by "
+                                          << change_by_scaling(a, b, 1.));
           for(std::size_t i = 0; i < a.samples.size(); ++i)
             BOOST_TEST(close(a.samples[i], b.samples[i],
                              10. * estimator.reproducibility * (1. + largest(a.samples[i]))),

@@ -306,6 +306,8 @@ BOOST_AUTO_TEST_CASE(scaling)
       {
         const Results b = estimator.all(moved(
             points, [&](const Point_3& p) { return Point_3(scale * p.x(), scale * p.y(), scale * p.z()); }));
+        BOOST_TEST_MESSAGE(estimator.name << " times " << scale << ": changed by "
+                                          << change_by_scaling(a, b, scale));
         BOOST_TEST(complaint_of_scaled(estimator, a, b, scale) == "");
       }
   }

@@ -168,7 +168,7 @@ public:
   double* trend = nullptr;          // 3 numbers; of TANGENTS also the normal of the first center
   double* bend = nullptr;           // of TANGENTS: Height_polynomial over the tangents of the first center
   double* count = nullptr;          // number of centers
-  double* value_noise = nullptr;    // variances, added to the diagonal
+  double* value_noise = nullptr;    // variances of the data
   double* derivative_noise = nullptr;
   double* unit = nullptr; // root mean square distance of the points from the first
   double* solution = nullptr;

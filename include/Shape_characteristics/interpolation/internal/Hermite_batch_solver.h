@@ -25,7 +25,7 @@ namespace internal {
   gradient at the first center, the origin, say about it. So with each value, that is subtracted; and from each derivative along a
   tangent, that of grad f(0). The first terms are then left in the columns of the first center alone, and what is small elsewhere is
   computed from Basis_function_on_lanes, which gives all its digits. With estimated normals, the weights of derivatives are small
-  for their noise, and these equations stay as they are. The determinant is the same, and so are solution and likelihood.
+  for their noise, and these equations stay as they are. Noise of the first center's data is in all that was subtracted. The determinant is the same, and so are solution and likelihood.
 
   The lower triangle of the matrix lies in panels of four rows, column by column, so that the innermost loop of the
   factorization reads two panels from front to back, and each number it reads is used four times.
@@ -39,15 +39,16 @@ class Hermite_batch_solver
 public:
   [[gnu::always_inline]] static void assemble(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    find_radius(batch);
+    const Basis_function basis_function(phi);
+    relate_to_first(batch, basis_function);
     if(batch.equations() == Hermite_equations::TANGENTS)
     {
       find_tangents(batch);
       bend_trend(batch);
-      assemble_tangents(batch, Basis_function(phi));
+      assemble_tangents(batch, basis_function);
     }
     else
-      assemble_gradients(batch, Basis_function(phi));
+      assemble_gradients(batch, basis_function);
   }
 
   // what was assembled
@@ -76,8 +77,7 @@ public:
     gy -= bending * y;
     gz -= bending * z;
     V trace = -bending, xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
-    const double reach = batch.radius + std::sqrt(largest(squared_distance));
-    const bool is_near = reach * reach <= Basis_function::near;
+    const bool is_near = are_near(batch.radius + std::sqrt(largest(squared_distance)));
     for(std::size_t j = 0; j < batch.centers(); ++j)
     {
       const V dx = x - points[3 * j], dy = y - points[3 * j + 1], dz = z - points[3 * j + 2];
@@ -194,22 +194,37 @@ private:
     return result;
   }
 
-  [[gnu::always_inline]] static void find_radius(Hermite_batch& batch)
+  // whether points at a distance of at most `reach` are near enough for the basis function's faster formula
+  [[gnu::always_inline]] static bool are_near(double reach) { return reach * reach <= Basis_function::near; }
+
+  // `batch.radius` and `batch.at_first`
+  [[gnu::always_inline]] static void relate_to_first(Hermite_batch& batch,
+                                                     const Basis_function& basis_function)
   {
     const V* const points = vectors(batch.points);
-    V square{};
-    for(std::size_t i = 1; i < batch.centers(); ++i)
+    V* const at_first = vectors(batch.at_first);
+    V largest_square{};
+    for(std::size_t i = 0; i < batch.centers(); ++i)
     {
       const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
-      const V q = x * x + y * y + z * z;
-      square = q > square ? q : square;
+      const V square = x * x + y * y + z * z;
+      largest_square = square > largest_square ? square : largest_square;
     }
-    batch.radius = std::sqrt(largest(square));
+    batch.radius = std::sqrt(largest(largest_square));
+    const bool is_near = are_near(batch.radius);
+    for(std::size_t i = 0; i < batch.centers(); ++i)
+    {
+      const V x = points[3 * i], y = points[3 * i + 1], z = points[3 * i + 2];
+      V unused;
+      basis_function.template operator()<false>(V(x * x + y * y + z * z), is_near, at_first[3 * i],
+                                                at_first[3 * i + 1], at_first[3 * i + 2], unused);
+    }
   }
 
   // the basis function of center `j` at center `i`
-  [[gnu::always_inline]] static void relate(const Hermite_batch& batch,
+  [[gnu::always_inline]] static void relate(const V* points,
                                             const Basis_function& basis_function,
+                                            bool is_near,
                                             std::size_t i,
                                             std::size_t j,
                                             V& dx,
@@ -219,11 +234,9 @@ private:
                                             V& P,
                                             V& B)
   {
-    const V* const points = vectors(batch.points);
     dx = points[3 * i] - points[3 * j];
     dy = points[3 * i + 1] - points[3 * j + 1];
     dz = points[3 * i + 2] - points[3 * j + 2];
-    const bool is_near = 4. * batch.radius * batch.radius <= Basis_function::near;
     V unused;
     basis_function.template operator()<false>(V(dx * dx + dy * dy + dz * dz), is_near, psi, P, B, unused);
   }
@@ -401,43 +414,33 @@ private:
   {
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
-    V* const at_first = vectors(batch.at_first);
+    const V* const at_first = vectors(batch.at_first);
     const V* const points = vectors(batch.points);
     const V* const normals = vectors(batch.normals);
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
+    const bool is_near = are_near(2. * batch.radius);
     for(std::size_t i = 0; i < batch.centers(); ++i)
     {
       V present;
       presence(batch, i, present);
       const V* const p = points + 3 * i;
       V* const entries = matrix + Hermite_batch::panel(i);
-      V dx, dy, dz, psi, P, B;
-      relate(batch, basis_function, i, 0, dx, dy, dz, psi, P, B);
-      const V psi_i = psi, P_i = P, B_i = B;
-      at_first[3 * i] = psi_i;
-      at_first[3 * i + 1] = P_i;
-      at_first[3 * i + 2] = B_i;
-      set_derivatives(entries, dx, dy, dz, P, B);
+      const V psi_i = at_first[3 * i], P_i = at_first[3 * i + 1], B_i = at_first[3 * i + 2];
+      set_derivatives(entries, p[0], p[1], p[2], P_i, B_i);
+      entries[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - value_noise;
       if(i == 0)
-      {
-        for(std::size_t k = 1; k < 4; ++k)
-          entries[k] = entries[4 * k] = V{};
         set_lanes(entries[0], basis_function.at_origin());
-      }
-      else
+      const V of_value = -(P_i + derivative_noise), of_derivative = P_i - 1.;
+      for(std::size_t k = 0; k < 3; ++k)
       {
-        const V value = -(P_i + derivative_noise), derivative = P_i - 1.;
-        entries[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - value_noise;
-        for(std::size_t k = 0; k < 3; ++k)
-        {
-          entries[4 * (k + 1)] = value * p[k];
-          entries[k + 1] = derivative * p[k];
-        }
+        entries[4 * (k + 1)] = of_value * p[k];
+        entries[k + 1] = of_derivative * p[k];
       }
       for(std::size_t j = 1; j <= i; ++j)
       {
-        relate(batch, basis_function, i, j, dx, dy, dz, psi, P, B);
+        V dx, dy, dz, psi, P, B;
+        relate(points, basis_function, is_near, i, j, dx, dy, dz, psi, P, B);
         const V* const q = points + 3 * j;
         const V psi_j = at_first[3 * j], P_j = at_first[3 * j + 1], B_j = at_first[3 * j + 2];
         const V pq = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
@@ -491,17 +494,16 @@ private:
     const V* const tangents = vectors(batch.tangents);
     const V* const trend = vectors(batch.trend);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
-    V* const at_first = vectors(batch.at_first);
+    const V* const at_first = vectors(batch.at_first);
     V* const along_tangents = vectors(batch.along_tangents);
     const Bent_trend bent(batch);
+    const bool is_near = are_near(2. * batch.radius);
     for(std::size_t r = 0; r < 4; ++r)
     {
       for(std::size_t c = 0; c < 4; ++c)
         matrix[4 * c + r] = V{};
       solution[r] = V{};
     }
-    for(std::size_t k = 0; k < 3; ++k)
-      at_first[k] = V{};
     matrix[0] = basis_function.at_origin() + value_noise;
     for(std::size_t k = 1; k < 4; ++k)
       matrix[5 * k] = 1. + derivative_noise;
@@ -516,18 +518,14 @@ private:
       V* const u_row = row(matrix, 3 * i + 2);
       V* const v_row = row(matrix, 3 * i + 3);
       const V up = u[0] * p[0] + u[1] * p[1] + u[2] * p[2], vp = v[0] * p[0] + v[1] * p[1] + v[2] * p[2];
-      V dx, dy, dz, psi, P, B;
-      relate(batch, basis_function, i, 0, dx, dy, dz, psi, P, B);
-      const V psi_i = psi - value_noise, P_i = P, B_i = B, noisy_P_i = P + derivative_noise;
-      at_first[3 * i] = psi;
-      at_first[3 * i + 1] = P;
-      at_first[3 * i + 2] = B;
+      const V psi_i = at_first[3 * i] - value_noise, P_i = at_first[3 * i + 1], B_i = at_first[3 * i + 2];
+      const V noisy_P_i = P_i + derivative_noise;
       along_tangents[2 * i] = up;
       along_tangents[2 * i + 1] = vp;
-      const V B_up = B * up, B_vp = B * vp;
+      const V B_up = B_i * up, B_vp = B_i * vp;
       value_row[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-      u_row[0] = (P - 1.) * up;
-      v_row[0] = (P - 1.) * vp;
+      u_row[0] = (P_i - 1.) * up;
+      v_row[0] = (P_i - 1.) * vp;
       for(std::size_t k = 0; k < 3; ++k)
       {
         // tangents and normal of the first center
@@ -539,7 +537,8 @@ private:
       }
       for(std::size_t j = 1; j <= i; ++j)
       {
-        relate(batch, basis_function, i, j, dx, dy, dz, psi, P, B);
+        V dx, dy, dz, psi, P, B;
+        relate(points, basis_function, is_near, i, j, dx, dy, dz, psi, P, B);
         const V* const q = points + 3 * j;
         const V psi_j = at_first[3 * j], P_j = at_first[3 * j + 1], B_j = at_first[3 * j + 2];
         const V pq = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
