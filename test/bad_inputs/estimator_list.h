@@ -291,7 +291,8 @@ std::vector<Estimator<Input>> estimators()
     e.difference_of_fits =
         shared ? std::numeric_limits<double>::infinity() : 0.; // normals of faces aren't exact
     e.accuracy = shared ? .35 : .15;
-    e.reproducibility = 1e-6; // normals of faces aren't exact, and following them takes large weights
+    if constexpr(std::is_same_v<Input, Point_set>)
+      e.reproducibility = 1e-8; // as above
   }
   {
     Estimator<Input>& e =
@@ -322,7 +323,7 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                                             // nor is its level of noise
     e.difference_of_fits = std::numeric_limits<double>::infinity(); // it may choose another fit
     e.accuracy = .01;
-    e.reproducibility = 1e-6; // it has fits to exact normals among its choices
+    e.reproducibility = 1e-6; // it has fits that follow normals of faces among its choices
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;

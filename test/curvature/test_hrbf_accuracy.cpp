@@ -34,6 +34,8 @@ const Hrbf exact_one_ring{[](const auto& np)
                           { return np.fits_are_shared(false).normals_are_exact(true).number_of_rings(1u); }};
 const Hrbf exact_three_rings{
     [](const auto& np) { return np.fits_are_shared(false).normals_are_exact(true).number_of_rings(3u); }};
+const Hrbf exact_unchecked{
+    [](const auto& np) { return np.fits_are_shared(false).normals_are_exact(true).normal_noise_level(0.); }};
 const Hrbf shared_by_default{[](const auto& np) { return np.number_of_rings(2u); }};
 const Hrbf shared_exact{[](const auto& np) { return np.normals_are_exact(true); }};
 const Hrbf shared_exact_one_ring{[](const auto& np)
@@ -438,6 +440,27 @@ BOOST_AUTO_TEST_CASE(parts_of_the_noise)
                               << ", of levels that are given " << least << " to " << largest);
     BOOST_TEST(error < 1.25 * least);
     BOOST_TEST(error < .7 * largest);
+  }
+}
+
+// Normals of faces are said to be exact: that is noticed, and does less harm. Exact ones are never doubted.
+BOOST_AUTO_TEST_CASE(exactness_is_checked)
+{
+  for(const Analytic_surface& s :
+      {test_support::ellipsoid(1., .8, .6, 4, .15), test_support::torus(1., .4, 100, 50, .2),
+       test_support::waves(.1, 4., 1., 16, .15), test_support::monkey_saddle(.5, 24, .2)})
+  {
+    const auto error_of = [&](const auto& estimator)
+    { return errors(s, run(estimator, s, Normals::ESTIMATED), 1.).mean; };
+    const double checked = error_of(exact), shared = error_of(shared_exact),
+                 unchecked = error_of(exact_unchecked), inexact = error_of(by_default);
+    BOOST_TEST_MESSAGE(s.name << ", normals of faces: mean error " << checked
+                              << " if said to be exact, shared " << shared << ", unchecked " << unchecked
+                              << ", not said to be exact " << inexact);
+    BOOST_TEST(checked < unchecked / 1.2);
+    BOOST_TEST(shared < unchecked / 1.2);
+    const bool same = same_bits(run(exact, s, Normals::EXACT), run(exact_unchecked, s, Normals::EXACT));
+    BOOST_TEST(same);
   }
 }
 

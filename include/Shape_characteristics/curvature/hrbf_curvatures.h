@@ -60,8 +60,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   fit for each vertex.
 
   With normals that are given, the results follow scaling by powers of two to the last bit. Other scalings and rigid motions they follow to some
-  1e-10 of the largest curvature on meshes, to 1e-8 at the border of a point set, where all the neighbors lie on one side, and to 1e-7
-  where normals that are said to be exact aren't: the systems of equations magnify the rounding of the coordinates.
+  1e-10 of the largest curvature on meshes, to 1e-8 at the border of a point set, where all the neighbors lie on one side, and to 1e-6
+  on fine meshes with normals that are said to be exact and aren't: the systems of equations magnify the rounding of the coordinates.
 
   \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices
@@ -78,6 +78,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{whether the normals are those of the surface itself, and the points lie on it}
       \cgalParamType{`bool`}
       \cgalParamDefault{`false`}
+      \cgalParamExtra{It is checked: where no smooth surface has these points and normals, as if normals of the faces were said to be
+                      exact, or the points don't lie on it, both are trusted less, until they fit. Only with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_rings}
       \cgalParamDescription{the size of the neighborhood, in edges}
@@ -119,7 +121,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`double`}
       \cgalParamDefault{\f$ \sqrt{0.1} \f$: estimated normals are weak evidence beside good points}
       \cgalParamExtra{Small values are for normals that are more exact than the points, as those of a photometric
-                      measurement. Only with a positive definite basis function and inexact normals.}
+                      measurement. Only with a positive definite basis function and inexact normals; with exact ones, 0 says that
+                      they are to be followed without a check.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_passes}
       \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}

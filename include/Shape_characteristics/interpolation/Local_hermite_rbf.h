@@ -69,6 +69,8 @@ public:
   {
     /// whether the normals are those of the surface itself
     bool normals_are_exact = false;
+    /// whether to trust exact normals and their points less where no smooth surface has both (positive definite basis functions)
+    bool exactness_is_checked = true;
     /// standard deviation of the points, in units of the root mean square distance of the 9 nearest neighbors (positive
     /// definite basis functions with inexact normals)
     double noise_level = 1e-6;
@@ -213,7 +215,14 @@ private:
     internal::Exact_fit_attempts attempts(neighborhood);
     do
     {
-      if(!workspace.system.solve_positive_definite(attempts.value_variance(), attempts.derivative_variance()))
+      bool is_solved;
+      do
+        is_solved = workspace.system.solve_positive_definite(attempts.value_variance(),
+                                                             attempts.derivative_variance());
+      while(is_solved && m_options.exactness_is_checked &&
+            attempts.next_if_inexact(workspace.system.residual(), workspace.system.mahalanobis_square(),
+                                     neighborhood.points.size()));
+      if(!is_solved)
         continue;
       jet = workspace.system(Vector::Zero());
       if(internal::Exact_fit_attempts::is_surface(internal::Fit_quality(jet), jet.gradient.dot(normal)))

@@ -140,6 +140,7 @@ private:
     using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
     typename Fit::Options options;
     options.normals_are_exact = m_normals_are_exact;
+    options.exactness_is_checked = m_normal_noise_level > 0.;
     options.fits_are_shared = m_fits_are_shared && size == surface.size() && only.empty();
     // Fits to exact normals take little time and reach far: there are enough of them in half as many patches.
     const std::size_t patch_size =

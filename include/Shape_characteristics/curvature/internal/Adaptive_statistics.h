@@ -289,9 +289,11 @@ private:
     return typename Local_hermite_rbf<SampledSurface, Matern_9_2>::Options().normal_noise_level;
   }
 
+  // What follows normals that aren't exact, too: how far it is off tells that, and the scores were learned with it.
   Fitted_field fit_exact(unsigned int rings)
   {
-    return fit(rings, parameters::normals_are_exact(true).radial_basis_function(Inverse_multiquadric()));
+    return fit(rings, parameters::normals_are_exact(true).normal_noise_level(0.).radial_basis_function(
+                          Inverse_multiquadric()));
   }
 
   Fitted_field fit_inexact(unsigned int rings, double noise, double normal_noise, unsigned int passes)

@@ -73,7 +73,8 @@ public:
   struct Options
   {
     bool normals_are_exact = false;
-    double noise_level = 1e-6; // see Local_hermite_rbf
+    bool exactness_is_checked = true; // see Local_hermite_rbf
+    double noise_level = 1e-6;        // see Local_hermite_rbf
     double normal_noise_level = Noisy_fit_attempts::default_normal_noise_level;
     bool fits_are_shared = true;
   };
@@ -425,9 +426,15 @@ private:
     m_functions.assemble(batch, m_unit_phi);
     m_functions.solve(batch);
 
+    std::array<bool, Hermite_batch::max_lanes> is_postponed{};
     std::size_t most_served = 0;
     for(std::size_t lane = 0; first + lane < last; ++lane)
-      most_served = (std::max)(most_served, task_of(lane, first, last, workspace).number_of_served);
+    {
+      const Task& task = task_of(lane, first, last, workspace);
+      is_postponed[lane] = postpone(task, lane, workspace);
+      if(!is_postponed[lane])
+        most_served = (std::max)(most_served, task.number_of_served);
+    }
     for(std::size_t s = 0; s < most_served; ++s)
     {
       std::array<Vector, Hermite_batch::max_lanes> displacement;
@@ -474,9 +481,24 @@ private:
         }
       }
       for(std::size_t lane = 0; first + lane < last; ++lane)
-        if(const Task& task = task_of(lane, first, last, workspace); s < task.number_of_served)
+        if(const Task& task = task_of(lane, first, last, workspace);
+           s < task.number_of_served && !is_postponed[lane])
           answer(task, s, lane, displacement[lane], workspace, output);
     }
+  }
+
+  // whether the normals turned out not to be exact: there is another attempt, for all that the task serves
+  bool postpone(const Task& task, std::size_t lane, Workspace& workspace) const
+  {
+    if(!(m_options.normals_are_exact && m_options.exactness_is_checked) ||
+       workspace.m_batch.is_positive_definite[lane] == 0.)
+      return false;
+    Task again = task;
+    if(!again.exact.next_if_inexact(workspace.m_batch.residual[lane],
+                                    workspace.m_batch.mahalanobis_square[lane], task.number_of_points))
+      return false;
+    workspace.m_next_tasks.push_back(again);
+    return true;
   }
 
   // gives the answer of a fit for the `s`-th sample it serves, or sees to it that there is another attempt

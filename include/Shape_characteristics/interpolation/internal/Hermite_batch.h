@@ -180,6 +180,11 @@ public:
   double* matrix = nullptr;     // after solving: its Cholesky factor, with inverse diagonal
   alignas(64) std::array<double, max_lanes> is_positive_definite{}; // after solving: 1 or 0
   alignas(64) std::array<double, max_lanes> log_likelihood{}; // after solving, if wanted: up to a constant
+  // after solving: of the data from the trend; on average the number of equations, if their covariance is what the matrix says
+  alignas(64) std::array<double, max_lanes> mahalanobis_square{};
+  // after solving, of TANGENTS: what the function leaves of the data, but at the first center, as a sum of squares, each divided
+  // by the variance of its noise
+  alignas(64) std::array<double, max_lanes> residual{};
 
 private:
   static constexpr std::size_t s_line = 8;

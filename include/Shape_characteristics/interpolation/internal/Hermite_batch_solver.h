@@ -55,6 +55,8 @@ public:
   [[gnu::always_inline]] static void solve(Hermite_batch& batch)
   {
     factorize(batch);
+    if(batch.equations() == Hermite_equations::TANGENTS)
+      find_residual(batch);
     collect_weights(batch);
   }
 
@@ -690,6 +692,7 @@ private:
         for(std::size_t q = first; q < next; ++q)
           find_tile(matrix, p, q);
     }
+    find_mahalanobis_square(batch);
     if(batch.wants_log_likelihood)
       find_log_likelihood(batch);
     substitute_backward(batch);
@@ -752,15 +755,20 @@ private:
   }
 
   // between the substitutions
-  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch)
+  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch)
   {
     const V* const solution = vectors(batch.solution);
-    const V* const matrix = vectors(batch.matrix);
-    V square{}, product;
-    set_lanes(product, 1.);
+    V square{};
     for(std::size_t r = 0; r < batch.number_of_equations; ++r)
       square += solution[r] * solution[r];
-    *reinterpret_cast<V*>(batch.log_likelihood.data()) = -0.5 * square;
+    *reinterpret_cast<V*>(batch.mahalanobis_square.data()) = square;
+  }
+
+  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch)
+  {
+    const V* const matrix = vectors(batch.matrix);
+    *reinterpret_cast<V*>(batch.log_likelihood.data()) =
+        -0.5 * *reinterpret_cast<const V*>(batch.mahalanobis_square.data());
     // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
     for(std::size_t p = 0; p < batch.panels; ++p)
     {
@@ -770,6 +778,21 @@ private:
       for(int lane = 0; lane < n; ++lane)
         batch.log_likelihood[std::size_t(lane)] += std::log(numbers[lane]);
     }
+  }
+
+  // The noise times the weights is what the function leaves of the data.
+  [[gnu::always_inline]] static void find_residual(Hermite_batch& batch)
+  {
+    const V* const solution = vectors(batch.solution);
+    V values{}, derivatives{};
+    for(std::size_t r = 4; r < batch.number_of_equations; r += 3)
+    {
+      const V value = solution[r], u = solution[r + 1], v = solution[r + 2];
+      values += value * value;
+      derivatives += u * u + v * v;
+    }
+    *reinterpret_cast<V*>(batch.residual.data()) =
+        *vectors(batch.value_noise) * values + *vectors(batch.derivative_noise) * derivatives;
   }
 
   // What the solution says about the basis function without its first terms at each center, about the gradient of that, and

@@ -78,7 +78,11 @@ inline Eigen::Vector3d trend_of_noisy_fit(const std::vector<Eigen::Vector3d>& no
   return trend.normalized();
 }
 
-// The attempts to fit exact normals: each fits a little less exactly.
+/*
+  The attempts to fit exact normals: each fits a little less exactly. Where no smooth surface has these points and normals, they
+  aren't exact, whatever was said of them: a function that follows them all the same takes huge weights and bends wildly. Then
+  both are trusted less, until the fit leaves of the data what their noise would.
+*/
 class Exact_fit_attempts
 {
 public:
@@ -104,11 +108,29 @@ public:
     return ++m_failures < s_attempts;
   }
 
+  // after an attempt with these sums of squares (see Hermite_batch): whether there is another because both are too large for exact
+  // data of any surface
+  bool next_if_inexact(double residual, double mahalanobis_square, std::size_t number_of_points)
+  {
+    const double equations = double(3 * number_of_points);
+    if(!(residual > s_largest_residual * equations &&
+         mahalanobis_square > s_largest_mahalanobis_square * equations) ||
+       m_doubts == s_doubts)
+      return false;
+    m_noise *= 100.;
+    ++m_doubts;
+    return true;
+  }
+
 private:
-  static constexpr int s_attempts = 4;
+  static constexpr int s_attempts = 4, s_doubts = 4;
+  // Of an equation, on average. Exact normals of waves with 6 samples a period reach .1 and 30, mostly .001 and 1; those of faces
+  // 10 and 1000, on fine meshes as well as on coarse ones. Where an exact surface bends more than samples can tell, it mostly keeps
+  // to one of both.
+  static constexpr double s_largest_residual = 0.1, s_largest_mahalanobis_square = 200.;
 
   double m_noise = 0.;
-  int m_failures = 0;
+  int m_failures = 0, m_doubts = 0;
 };
 
 /*

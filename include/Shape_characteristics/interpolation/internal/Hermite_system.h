@@ -92,10 +92,12 @@ public:
     m_weights = m_data;
     Eigen::Map<Eigen::VectorXd> weights(m_weights.data(), n);
     cholesky.matrixL().solveInPlace(weights);
-    m_log_likelihood = -weights.squaredNorm() / 2.;
+    m_mahalanobis_square = weights.squaredNorm();
+    m_log_likelihood = -m_mahalanobis_square / 2.;
     for(Eigen::Index k = 0; k < n; ++k)
       m_log_likelihood -= std::log(matrix(k, k));
     cholesky.matrixU().solveInPlace(weights);
+    find_residual(value_noise, derivative_noise);
     collect_weights();
     return weights.allFinite();
   }
@@ -118,6 +120,14 @@ public:
 
   // log of the probability density of the data, up to a constant: after solve_positive_definite()
   double log_likelihood() const { return m_log_likelihood; }
+
+  // what the function leaves of the data, but at the first center, as a sum of squares, each divided by the variance of its
+  // noise: after solve_positive_definite()
+  double residual() const { return m_residual; }
+
+  // of the data from the trend; on average the number of equations, if their covariance is what the matrix says: after
+  // solve_positive_definite()
+  double mahalanobis_square() const { return m_mahalanobis_square; }
 
   Hermite_jet operator()(const Eigen::Vector3d& x) const
   {
@@ -179,6 +189,18 @@ private:
     }
   }
 
+  // The noise times the weights is what the function leaves of the data.
+  void find_residual(double value_noise, double derivative_noise)
+  {
+    m_residual = 0.;
+    for(std::size_t j = 1; j < number_of_centers(); ++j)
+    {
+      m_residual += value_noise * m_weights[m_first[j]] * m_weights[m_first[j]];
+      for(std::size_t k = m_first[j] + 1; k < m_first[j + 1]; ++k)
+        m_residual += derivative_noise * m_weights[k] * m_weights[k];
+    }
+  }
+
   void collect_weights()
   {
     m_alpha.resize(number_of_centers());
@@ -200,7 +222,7 @@ private:
   // Aligned for vector instructions: elsewhere Eigen adds in another order, and rounding would depend on addresses.
   std::vector<double, Eigen::aligned_allocator<double> > m_data, m_weights, m_matrix;
   std::vector<double> m_alpha;
-  double m_log_likelihood = 0.;
+  double m_log_likelihood = 0., m_mahalanobis_square = 0., m_residual = 0.;
 };
 
 } // namespace internal
