@@ -78,8 +78,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{whether the normals are those of the surface itself, and the points lie on it}
       \cgalParamType{`bool`}
       \cgalParamDefault{`false`}
-      \cgalParamExtra{It is checked: where no smooth surface has these points and normals, as if normals of the faces were said
-                      to be exact, or the points lay beside the surface, both are trusted less, until they fit. Only
+      \cgalParamExtra{It is checked: where no smooth surface has these points and normals, because normals of the faces are said
+                      to be exact or the points lie beside the surface, both are trusted less, until they fit. Only
                       with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_rings}
