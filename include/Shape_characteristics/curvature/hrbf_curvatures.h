@@ -79,8 +79,9 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`bool`}
       \cgalParamDefault{`false`}
       \cgalParamExtra{It is checked: where no smooth surface has these points and normals, because normals of the faces are said
-                      to be exact or the points lie beside the surface, both are trusted less, until they fit. Only
-                      with a positive definite basis function.}
+                      to be exact or the points lie beside the surface, both are trusted less, until they fit. A surface
+                      that bends much between its samples may be doubted, too; a `normal_noise_level` of 0 leaves out the
+                      check. Only with a positive definite basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_rings}
       \cgalParamDescription{the size of the neighborhood, in edges}
@@ -122,8 +123,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`double`}
       \cgalParamDefault{\f$ \sqrt{0.1} \f$: estimated normals are weak evidence beside good points}
       \cgalParamExtra{Small values are for normals that are more exact than the points, as those of a photometric
-                      measurement. Only with a positive definite basis function and inexact normals; with exact ones, 0 says that
-                      they are to be followed without a check.}
+                      measurement. Only with a positive definite basis function and inexact normals, but for 0, which leaves out
+                      the check of exact ones.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_passes}
       \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}
