@@ -52,7 +52,10 @@ function(shape_characteristics_do_not_sanitize source)
 endfunction()
 
 add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL
-  ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/precompiled/hermite_batch_functions.cpp)
+target_compile_definitions(Shape_characteristics_precompiled PUBLIC
+  SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED)
 target_include_directories(Shape_characteristics_precompiled INTERFACE ${CMAKE_CURRENT_LIST_DIR}/precompiled)
 target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
 target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)

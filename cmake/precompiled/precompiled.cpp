@@ -11,10 +11,9 @@ template bool CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(
 namespace Eigen {
 
 template class JacobiSVD<MatrixXd>;
-template class LDLT<Matrix3d>;
 template class LDLT<MatrixXd>;
-template SelfAdjointEigenSolver<Matrix2d>&
-SelfAdjointEigenSolver<Matrix2d>::compute(const EigenBase<Matrix2d>&, int);
+template LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
+template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&) const;
 template SelfAdjointEigenSolver<Matrix<double, 6, 6>>&
 SelfAdjointEigenSolver<Matrix<double, 6, 6>>::compute(const EigenBase<Matrix<double, 6, 6>>&, int);
 

@@ -38,10 +38,9 @@ extern template bool CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(
 namespace Eigen {
 
 extern template class JacobiSVD<MatrixXd>; // CGAL's jets
-extern template class LDLT<Matrix3d>;
 extern template class LDLT<MatrixXd>;
-extern template SelfAdjointEigenSolver<Matrix2d>&
-SelfAdjointEigenSolver<Matrix2d>::compute(const EigenBase<Matrix2d>&, int);
+extern template LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
+extern template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&) const;
 extern template SelfAdjointEigenSolver<Matrix<double, 6, 6>>&
 SelfAdjointEigenSolver<Matrix<double, 6, 6>>::compute(const EigenBase<Matrix<double, 6, 6>>&, int);
 

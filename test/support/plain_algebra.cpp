@@ -2,12 +2,14 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
+
 namespace test_support {
 
 Eigen::MatrixXd least_squares(const Eigen::Ref<const Eigen::MatrixXd>& matrix,
                               const Eigen::Ref<const Eigen::MatrixXd>& right)
 {
-  return matrix.colPivHouseholderQr().solve(right);
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV).solve(right);
 }
 
 Long_matrix least_squares(const Eigen::Ref<const Long_matrix>& matrix,
@@ -21,19 +23,17 @@ Eigen::Vector2d symmetric_eigenvalues(const Eigen::Matrix2d& matrix)
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
-Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix)
-{
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
-}
-
 Eigen::Matrix3d left_singular_vectors(const Eigen::Matrix3d& matrix)
 {
-  return Eigen::JacobiSVD<Eigen::Matrix3d>(matrix, Eigen::ComputeFullU).matrixU();
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(matrix, Eigen::ComputeFullU).matrixU();
 }
 
 Eigen::Matrix3d shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  const Eigen::Vector3d axis = from.cross(to);
+  return axis.isZero(0.)
+             ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+             : Eigen::AngleAxisd(std::atan2(axis.norm(), from.dot(to)), axis.normalized()).toRotationMatrix();
 }
 
 } // namespace test_support

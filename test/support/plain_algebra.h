@@ -17,7 +17,6 @@ Long_matrix least_squares(const Eigen::Ref<const Long_matrix>& matrix,
 
 /// The eigenvalues of a symmetric matrix, ascending.
 Eigen::Vector2d symmetric_eigenvalues(const Eigen::Matrix2d& matrix);
-Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 
 /// The left singular vectors as columns, by descending singular value.
 Eigen::Matrix3d left_singular_vectors(const Eigen::Matrix3d& matrix);

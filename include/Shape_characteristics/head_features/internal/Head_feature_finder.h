@@ -9,8 +9,8 @@
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 #include <Shape_characteristics/head_features/internal/Mouth_finder.h>
 #include <Shape_characteristics/head_features/internal/Surface_patch.h>
+#include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -455,8 +455,8 @@ private:
   static double roughness_about(const Scalar_image& height, const Pixel& center)
   {
     constexpr int reach = 8;
-    Eigen::Matrix<double, 6, 6> matrix = Eigen::Matrix<double, 6, 6>::Zero();
-    Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero(), terms;
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(6, 6);
+    Eigen::VectorXd right = Eigen::VectorXd::Zero(6), terms(6);
     double squares = 0.;
     int pixels = 0;
     for(int b = -reach; b <= reach; ++b)
@@ -473,7 +473,8 @@ private:
         }
     if(pixels < 6)
       return 0.;
-    return std::sqrt((std::max)(0., squares - right.dot(matrix.ldlt().solve(right))) / pixels);
+    return std::sqrt((std::max)(0., squares - right.dot(solve_positive_semidefinite(matrix, right))) /
+                     pixels);
   }
 
   // An ear is the surface behind its outline. What belongs to it at the back, next to the head, is hidden by it.

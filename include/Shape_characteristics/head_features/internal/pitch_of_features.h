@@ -3,8 +3,8 @@
 
 #include <Shape_characteristics/head_features/Head_feature.h>
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
+#include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -111,12 +111,18 @@ inline double pitch_of_features(const Found_head_features& found)
     y[i] = p.y();
     z[i] = p.z();
   }
-  const Eigen::LLT<Eigen::MatrixXd> factors(covariance);
-  Eigen::Matrix4d matrix =
-      y_rows.transpose() * factors.solve(y_rows) + z_rows.transpose() * factors.solve(z_rows);
+  Eigen::MatrixXd matrix(4, 4);
+  Eigen::VectorXd right(4);
+  for(Eigen::Index k = 0; k < 4; ++k)
+  {
+    const Eigen::VectorXd y_weights = solve_positive_semidefinite(covariance, y_rows.col(k)),
+                          z_weights = solve_positive_semidefinite(covariance, z_rows.col(k));
+    for(Eigen::Index l = 0; l < 4; ++l)
+      matrix(k, l) = y_weights.dot(y_rows.col(l)) + z_weights.dot(z_rows.col(l));
+    right[k] = y_weights.dot(y) + z_weights.dot(z);
+  }
   matrix(0, 0) += 1. / (error_of_frame * error_of_frame);
-  const Eigen::Vector4d right = y_rows.transpose() * factors.solve(y) + z_rows.transpose() * factors.solve(z);
-  const Eigen::Vector4d unknowns = matrix.ldlt().solve(right);
+  const Eigen::VectorXd unknowns = solve_positive_semidefinite(matrix, right);
   const double angle = std::atan2(unknowns[0], unknowns[1]);
   return std::isfinite(angle) ? angle : 0.;
 }

@@ -2,9 +2,9 @@
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_MIRROR_H
 
 #include <Shape_characteristics/head_features/internal/pose_surface.h>
+#include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -123,8 +123,8 @@ public:
     {
       // the normal turns by a u + b v, the offset grows by c
       const Eigen::Vector3d u = mirror.normal.unitOrthogonal(), v = mirror.normal.cross(u);
-      Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
-      Eigen::Vector3d right = Eigen::Vector3d::Zero();
+      Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3, 3);
+      Eigen::VectorXd right = Eigen::VectorXd::Zero(3);
       for(const std::size_t i : samples)
       {
         const Eigen::Vector3d &p = m_surface.points()[i], image = mirror.image(p);
@@ -146,9 +146,9 @@ public:
       const double trace = matrix.trace();
       if(!(trace > 0.))
         break;
-      matrix +=
-          1e-9 * trace * Eigen::Matrix3d::Identity(); // a surface of revolution is content with many planes
-      const Eigen::Vector3d move = matrix.ldlt().solve(right);
+      matrix += 1e-9 * trace *
+                Eigen::MatrixXd::Identity(3, 3); // a surface of revolution is content with many planes
+      const Eigen::Vector3d move = solve_positive_semidefinite(matrix, right);
       if(!move.allFinite())
         break;
       mirror.normal = (mirror.normal + move[0] * u + move[1] * v).normalized();

@@ -4,8 +4,8 @@
 #include <Shape_characteristics/head_features/internal/pose_mean_head.h>
 #include <Shape_characteristics/head_features/internal/pose_mirror.h>
 #include <Shape_characteristics/head_features/internal/pose_surface.h>
+#include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -166,7 +166,7 @@ public:
       if(!(trace > 0.))
         break;
       matrix += 1e-6 * trace * Eigen::MatrixXd::Identity(7, 7);
-      const Eigen::VectorXd move = matrix.ldlt().solve(right);
+      const Eigen::VectorXd move = solve_positive_semidefinite(matrix, right);
       if(!move.allFinite())
         break;
       const Eigen::Vector3d turn = move.head<3>();
@@ -228,7 +228,7 @@ public:
         right += w * n.dot(q - rest[i]) * row;
       }
       matrix.diagonal().array() += 1e-9 * matrix.trace() / double(3 * controls);
-      const Eigen::VectorXd weights = matrix.selfadjointView<Eigen::Lower>().ldlt().solve(right);
+      const Eigen::VectorXd weights = solve_positive_semidefinite(matrix, right);
       for(std::size_t i = 0; i < m_head.size(); ++i)
       {
         bent[i] = rest[i];

@@ -2,7 +2,12 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_FUNCTIONS_H
 
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_batch_factorization.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_solver.h>
+#ifdef SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED
+#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
+#include <Shape_characteristics/interpolation/Matern_9_2.h>
+#endif
 
 #include <cstddef>
 
@@ -13,13 +18,40 @@
 #else
 #define SHAPE_CHARACTERISTICS_TUNE ""
 #endif
+#define SHAPE_CHARACTERISTICS_FOR_8_LANES                                                                    \
+  gnu::target("avx512f,avx512dq,avx512vl,avx2,fma" SHAPE_CHARACTERISTICS_TUNE)
+#define SHAPE_CHARACTERISTICS_FOR_4_LANES gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)
 
 namespace Shape_characteristics {
 namespace internal {
 
+// Hermite_batch_factorization::solve(), compiled for several instruction sets: once for all basis functions. A template, so that it
+// is compiled only where it is used.
+template <typename Batch>
+struct Hermite_batch_factorizations
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void solve_8(Batch& batch)
+  {
+    Hermite_batch_factorization<8>::solve(batch);
+  }
+
+  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void solve_4(Batch& batch)
+  {
+    Hermite_batch_factorization<4>::solve(batch);
+  }
+#endif
+
+  template <int n>
+  static void solve_plain(Batch& batch)
+  {
+    Hermite_batch_factorization<n>::solve(batch);
+  }
+};
+
 /*
-  Hermite_batch_solver, compiled for several instruction sets, and the choice of the widest that the processor has: the
-  program need not have been compiled for it. Widths of 4 and 8 give the same bits; that of 2 has no fused
+  Hermite_batch_solver and Hermite_batch_factorization, compiled for several instruction sets, and the choice of the widest that the
+  processor has: the program need not have been compiled for it. Widths of 4 and 8 give the same bits; that of 2 has no fused
   multiplication and addition, unless the whole program was compiled with it.
 */
 template <typename RadialBasisFunction>
@@ -33,60 +65,35 @@ struct Hermite_batch_functions
   Function evaluate;             // value, gradient, Hessian matrix
   Function evaluate_value;       // value and gradient
 
-  // the widest that has no more than `max_lanes` lanes
-  static Hermite_batch_functions best(std::size_t max_lanes = Hermite_batch::max_lanes)
-  {
-#if defined(__GNUC__) && defined(__x86_64__)
-    if(max_lanes >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-       __builtin_cpu_supports("avx512vl"))
-      return {8, assemble_8, solve_8, evaluate_8<true>, evaluate_8<false>};
-    if(max_lanes >= 4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-      return {4, assemble_4, solve_4, evaluate_4<true>, evaluate_4<false>};
-#endif
-#if defined(__GNUC__)
-    if(max_lanes >= 2)
-      return {2, assemble_plain<2>, solve_plain<2>, evaluate_plain<2, true>, evaluate_plain<2, false>};
-#else
-    (void)max_lanes;
-#endif
-    return {1, assemble_plain<1>, solve_plain<1>, evaluate_plain<1, true>, evaluate_plain<1, false>};
-  }
+  // the widest that has no more than `max_lanes` lanes. Not inline: all functions are instantiated with it alone.
+  static Hermite_batch_functions best(std::size_t max_lanes = Hermite_batch::max_lanes);
 
 private:
+  using Factorizations = Hermite_batch_factorizations<Hermite_batch>;
+
 #if defined(__GNUC__) && defined(__x86_64__)
-  [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
-  assemble_8(Hermite_batch& batch, const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void assemble_8(Hermite_batch& batch,
+                                                               const RadialBasisFunction& phi)
   {
     Hermite_batch_solver<8, RadialBasisFunction>::assemble(batch, phi);
   }
 
-  [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
-  solve_8(Hermite_batch& batch)
-  {
-    Hermite_batch_solver<8, RadialBasisFunction>::solve(batch);
-  }
-
   template <bool with_hessian>
-  [[gnu::target("avx512f,avx512dq,avx512vl,avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
-  evaluate_8(Hermite_batch& batch, const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void evaluate_8(Hermite_batch& batch,
+                                                               const RadialBasisFunction& phi)
   {
     Hermite_batch_solver<8, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 
-  [[gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
-  assemble_4(Hermite_batch& batch, const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void assemble_4(Hermite_batch& batch,
+                                                               const RadialBasisFunction& phi)
   {
     Hermite_batch_solver<4, RadialBasisFunction>::assemble(batch, phi);
   }
 
-  [[gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void solve_4(Hermite_batch& batch)
-  {
-    Hermite_batch_solver<4, RadialBasisFunction>::solve(batch);
-  }
-
   template <bool with_hessian>
-  [[gnu::target("avx2,fma" SHAPE_CHARACTERISTICS_TUNE)]] static void
-  evaluate_4(Hermite_batch& batch, const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void evaluate_4(Hermite_batch& batch,
+                                                               const RadialBasisFunction& phi)
   {
     Hermite_batch_solver<4, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
@@ -98,12 +105,6 @@ private:
     Hermite_batch_solver<n, RadialBasisFunction>::assemble(batch, phi);
   }
 
-  template <int n>
-  static void solve_plain(Hermite_batch& batch)
-  {
-    Hermite_batch_solver<n, RadialBasisFunction>::solve(batch);
-  }
-
   template <int n, bool with_hessian>
   static void evaluate_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
@@ -111,9 +112,40 @@ private:
   }
 };
 
+template <typename RadialBasisFunction>
+Hermite_batch_functions<RadialBasisFunction>
+Hermite_batch_functions<RadialBasisFunction>::best(const std::size_t max_lanes)
+{
+#if defined(__GNUC__) && defined(__x86_64__)
+  if(max_lanes >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+     __builtin_cpu_supports("avx512vl"))
+    return {8, assemble_8, Factorizations::solve_8, evaluate_8<true>, evaluate_8<false>};
+  if(max_lanes >= 4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return {4, assemble_4, Factorizations::solve_4, evaluate_4<true>, evaluate_4<false>};
+#endif
+#if defined(__GNUC__)
+  if(max_lanes >= 2)
+    return {2, assemble_plain<2>, Factorizations::template solve_plain<2>, evaluate_plain<2, true>,
+            evaluate_plain<2, false>};
+#else
+  (void)max_lanes;
+#endif
+  return {1, assemble_plain<1>, Factorizations::template solve_plain<1>, evaluate_plain<1, true>,
+          evaluate_plain<1, false>};
+}
+
+#ifdef SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED
+// by another source of the program: those of the basis functions that estimators take by default
+extern template Hermite_batch_functions<Inverse_multiquadric>
+    Hermite_batch_functions<Inverse_multiquadric>::best(std::size_t);
+extern template Hermite_batch_functions<Matern_9_2> Hermite_batch_functions<Matern_9_2>::best(std::size_t);
+#endif
+
 } // namespace internal
 } // namespace Shape_characteristics
 
+#undef SHAPE_CHARACTERISTICS_FOR_4_LANES
+#undef SHAPE_CHARACTERISTICS_FOR_8_LANES
 #undef SHAPE_CHARACTERISTICS_TUNE
 
 #endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_FUNCTIONS_H

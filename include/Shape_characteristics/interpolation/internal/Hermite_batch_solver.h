@@ -11,13 +11,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
-#include <utility>
 
 namespace Shape_characteristics {
 namespace internal {
 
 /*
-  Assembles, factorizes and evaluates the systems of a Hermite_batch, `n` at a time. Hermite_system says what the equations are.
+  Assembles the systems of a Hermite_batch, `n` at a time, and evaluates what their solutions are, which Hermite_batch_factorization
+  finds. Hermite_system says what the equations are.
 
   The equations are taken in another basis. Flat basis functions make rows that are nearly equal, large weights of opposite signs,
   and results that rounding errors of the entries are seen in. Nearly all of an entry comes from the first terms of the basis
@@ -25,10 +25,8 @@ namespace internal {
   gradient at the first center, the origin, say about it. So with each value, that is subtracted; and from each derivative along a
   tangent, that of grad f(0). The first terms are then left in the columns of the first center alone, and what is small elsewhere is
   computed from Basis_function_on_lanes, which gives all its digits. With estimated normals, the weights of derivatives are small
-  for their noise, and these equations stay as they are. Noise of the first center's data is in all that was subtracted. The determinant is the same, and so are solution and likelihood.
-
-  The lower triangle of the matrix lies in panels of four rows, column by column, so that the innermost loop of the
-  factorization reads two panels from front to back, and each number it reads is used four times.
+  for their noise, and these equations stay as they are. Noise of the first center's data is in all that was subtracted. The
+  determinant is the same, and so are solution and likelihood.
 */
 template <int n, typename RadialBasisFunction>
 class Hermite_batch_solver
@@ -49,15 +47,6 @@ public:
     }
     else
       assemble_gradients(batch, basis_function);
-  }
-
-  // what was assembled
-  [[gnu::always_inline]] static void solve(Hermite_batch& batch)
-  {
-    factorize(batch);
-    if(batch.equations() == Hermite_equations::TANGENTS)
-      find_residual(batch);
-    collect_weights(batch);
   }
 
   // the function at `batch.where`; its second derivatives are left alone unless `with_hessian`
@@ -583,267 +572,6 @@ private:
       solution[3 * i + 3] = -present * (gx * v[0] + gy * v[1] + gz * v[2]);
     }
     fill_last_panel(batch);
-  }
-
-  /*
-    Some rows of a tile, all at once because they are in registers meanwhile: entry `k` of the sequence is that in column `k % 4` of
-    row `first + k / 4`. What the columns before the tile (`length` of them) have to do with it is subtracted: `rows` are those
-    of the tile, `columns` those of the corner above, whose factor then divides it.
-  */
-  template <int first, std::size_t... k>
-  [[gnu::always_inline]] static void
-  find_rows(const V* rows, const V* columns, std::size_t length, V* tile, std::index_sequence<k...>)
-  {
-    V sums[] = {tile[4 * (k % 4) + first + k / 4]...};
-    for(std::size_t c = 0; c < length; ++c, rows += 4, columns += 4)
-      ((sums[k] -= rows[first + k / 4] * columns[k % 4]), ...);
-    const V* const corner = columns;
-    for(std::size_t r = 0; r < sizeof...(k) / 4; ++r)
-    {
-      V* const x = sums + 4 * r;
-      x[0] = x[0] * corner[0];
-      x[1] = (x[1] - x[0] * corner[1]) * corner[5];
-      x[2] = (x[2] - x[0] * corner[2] - x[1] * corner[6]) * corner[10];
-      x[3] = (x[3] - x[0] * corner[3] - x[1] * corner[7] - x[2] * corner[11]) * corner[15];
-    }
-    ((tile[4 * (k % 4) + first + k / 4] = sums[k]), ...);
-  }
-
-  // the tile of panel `p` below the corner of panel `q`, as many rows at once as there are registers for
-  [[gnu::always_inline]] static void find_tile(V* matrix, std::size_t p, std::size_t q)
-  {
-    const V* const rows = matrix + Hermite_batch::panel(p);
-    const V* const columns = matrix + Hermite_batch::panel(q);
-    V* const tile = matrix + Hermite_batch::panel(p) + 16 * q;
-    if constexpr(n == 8)
-      find_rows<0>(rows, columns, 4 * q, tile, std::make_index_sequence<16>());
-    else
-    {
-      find_rows<0>(rows, columns, 4 * q, tile, std::make_index_sequence<8>());
-      find_rows<2>(rows, columns, 4 * q, tile, std::make_index_sequence<8>());
-    }
-  }
-
-  // the corner of panel `p`, with inverse diagonal: entry (r, c) at 4 c + r
-  [[gnu::always_inline]] static void find_corner(V* matrix, std::size_t p, V& ok, const V& one)
-  {
-    const V* const own = matrix + Hermite_batch::panel(p);
-    V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
-    V l00 = corner[0], l10 = corner[1], l20 = corner[2], l30 = corner[3], l11 = corner[5], l21 = corner[6],
-      l31 = corner[7], l22 = corner[10], l32 = corner[11], l33 = corner[15];
-    for(const V* a = own; a != corner; a += 4)
-    {
-      l00 -= a[0] * a[0];
-      l10 -= a[1] * a[0];
-      l20 -= a[2] * a[0];
-      l30 -= a[3] * a[0];
-      l11 -= a[1] * a[1];
-      l21 -= a[2] * a[1];
-      l31 -= a[3] * a[1];
-      l22 -= a[2] * a[2];
-      l32 -= a[3] * a[2];
-      l33 -= a[3] * a[3];
-    }
-    invert_pivot(l00, ok, one);
-    l10 *= l00;
-    l20 *= l00;
-    l30 *= l00;
-    l11 -= l10 * l10;
-    invert_pivot(l11, ok, one);
-    l21 = (l21 - l20 * l10) * l11;
-    l31 = (l31 - l30 * l10) * l11;
-    l22 = l22 - l20 * l20 - l21 * l21;
-    invert_pivot(l22, ok, one);
-    l32 = (l32 - l30 * l20 - l31 * l21) * l22;
-    l33 = l33 - l30 * l30 - l31 * l31 - l32 * l32;
-    invert_pivot(l33, ok, one);
-    corner[0] = l00;
-    corner[1] = l10;
-    corner[2] = l20;
-    corner[3] = l30;
-    corner[5] = l11;
-    corner[6] = l21;
-    corner[7] = l31;
-    corner[10] = l22;
-    corner[11] = l32;
-    corner[15] = l33;
-  }
-
-  // Cholesky's method, and both substitutions. The diagonal of the factor is inverted.
-  [[gnu::always_inline]] static void factorize(Hermite_batch& batch)
-  {
-    V* const matrix = vectors(batch.matrix);
-    V* const solution = vectors(batch.solution);
-    V ok, one;
-    set_lanes(ok, 1.);
-    set_lanes(one, 1.);
-    // Two corners at a time: the rows below are read from far away once for both.
-    for(std::size_t first = 0; first < batch.panels; first += 2)
-    {
-      const std::size_t next = (std::min)(first + 2, batch.panels);
-      for(std::size_t p = first; p < next; ++p)
-      {
-        if(p != first)
-          find_tile(matrix, p, first);
-        find_corner(matrix, p, ok, one);
-        substitute_forward(matrix, p, solution);
-      }
-      for(std::size_t p = next; p < batch.panels; ++p)
-        for(std::size_t q = first; q < next; ++q)
-          find_tile(matrix, p, q);
-    }
-    find_mahalanobis_square(batch);
-    if(batch.wants_log_likelihood)
-      find_log_likelihood(batch);
-    substitute_backward(batch);
-    *reinterpret_cast<V*>(batch.is_positive_definite.data()) = ok;
-  }
-
-  // A pivot that isn't positive tells that the matrix isn't positive definite in floating point.
-  [[gnu::always_inline]] static void invert_pivot(V& pivot, V& ok, const V& one)
-  {
-    const V zero{};
-    const V usable = pivot > 1e-280 ? pivot : one;
-    ok = pivot > 1e-280 ? ok : zero;
-    inverse_sqrt(usable, pivot);
-  }
-
-  [[gnu::always_inline]] static void substitute_forward(const V* matrix, std::size_t p, V* solution)
-  {
-    const V* const rows = matrix + Hermite_batch::panel(p);
-    const V* const corner = rows + 16 * p;
-    V* const mine = solution + 4 * p;
-    V y0 = mine[0], y1 = mine[1], y2 = mine[2], y3 = mine[3];
-    for(std::size_t c = 0; c < 4 * p; ++c)
-    {
-      const V y = solution[c];
-      y0 -= rows[4 * c] * y;
-      y1 -= rows[4 * c + 1] * y;
-      y2 -= rows[4 * c + 2] * y;
-      y3 -= rows[4 * c + 3] * y;
-    }
-    y0 = y0 * corner[0];
-    y1 = (y1 - corner[1] * y0) * corner[5];
-    y2 = (y2 - corner[2] * y0 - corner[6] * y1) * corner[10];
-    y3 = (y3 - corner[3] * y0 - corner[7] * y1 - corner[11] * y2) * corner[15];
-    mine[0] = y0;
-    mine[1] = y1;
-    mine[2] = y2;
-    mine[3] = y3;
-  }
-
-  [[gnu::always_inline]] static void substitute_backward(Hermite_batch& batch)
-  {
-    const V* const matrix = vectors(batch.matrix);
-    V* const solution = vectors(batch.solution);
-    for(std::size_t p = batch.panels; p-- > 0;)
-    {
-      const V* const rows = matrix + Hermite_batch::panel(p);
-      const V* const corner = rows + 16 * p;
-      V* const mine = solution + 4 * p;
-      const V x3 = mine[3] * corner[15];
-      const V x2 = (mine[2] - corner[11] * x3) * corner[10];
-      const V x1 = (mine[1] - corner[6] * x2 - corner[7] * x3) * corner[5];
-      const V x0 = (mine[0] - corner[1] * x1 - corner[2] * x2 - corner[3] * x3) * corner[0];
-      mine[0] = x0;
-      mine[1] = x1;
-      mine[2] = x2;
-      mine[3] = x3;
-      for(std::size_t c = 0; c < 4 * p; ++c)
-        solution[c] -= rows[4 * c] * x0 + rows[4 * c + 1] * x1 + rows[4 * c + 2] * x2 + rows[4 * c + 3] * x3;
-    }
-  }
-
-  // between the substitutions
-  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch)
-  {
-    const V* const solution = vectors(batch.solution);
-    V square{};
-    for(std::size_t r = 0; r < batch.number_of_equations; ++r)
-      square += solution[r] * solution[r];
-    *reinterpret_cast<V*>(batch.mahalanobis_square.data()) = square;
-  }
-
-  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch)
-  {
-    const V* const matrix = vectors(batch.matrix);
-    *reinterpret_cast<V*>(batch.log_likelihood.data()) =
-        -0.5 * *reinterpret_cast<const V*>(batch.mahalanobis_square.data());
-    // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
-    for(std::size_t p = 0; p < batch.panels; ++p)
-    {
-      const V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
-      const V inverse = (corner[0] * corner[5]) * (corner[10] * corner[15]);
-      const double* const numbers = reinterpret_cast<const double*>(&inverse);
-      for(int lane = 0; lane < n; ++lane)
-        batch.log_likelihood[std::size_t(lane)] += std::log(numbers[lane]);
-    }
-  }
-
-  // The noise times the weights is what the function leaves of the data.
-  [[gnu::always_inline]] static void find_residual(Hermite_batch& batch)
-  {
-    const V* const solution = vectors(batch.solution);
-    V values{}, derivatives{};
-    for(std::size_t r = 4; r < batch.number_of_equations; r += 3)
-    {
-      const V value = solution[r], u = solution[r + 1], v = solution[r + 2];
-      values += value * value;
-      derivatives += u * u + v * v;
-    }
-    *reinterpret_cast<V*>(batch.residual.data()) =
-        *vectors(batch.value_noise) * values + *vectors(batch.derivative_noise) * derivatives;
-  }
-
-  // What the solution says about the basis function without its first terms at each center, about the gradient of that, and
-  // about the polynomial that those terms add up to.
-  [[gnu::always_inline]] static void collect_weights(Hermite_batch& batch)
-  {
-    const V* const solution = vectors(batch.solution);
-    const V* const points = vectors(batch.points);
-    V* const weights = vectors(batch.weights);
-    V* const polynomial = vectors(batch.polynomial);
-    const bool has_gradients = batch.equations() == Hermite_equations::GRADIENTS;
-    if(has_gradients)
-      for(std::size_t k = 0; k < 4 * batch.centers(); ++k)
-        weights[k] = solution[k];
-    else
-    {
-      const V* const tangents = vectors(batch.tangents);
-      const V* const trend = vectors(batch.trend);
-      for(std::size_t j = 0; j < batch.centers(); ++j)
-      {
-        const std::size_t r = j == 0 ? 0 : 3 * j + 1;
-        weights[4 * j] = solution[r];
-        for(std::size_t c = 0; c < 3; ++c)
-          weights[4 * j + 1 + c] =
-              solution[r + 1] * tangents[6 * j + c] + solution[r + 2] * tangents[6 * j + 3 + c];
-      }
-      for(std::size_t c = 0; c < 3; ++c)
-        weights[1 + c] += solution[3] * trend[c];
-    }
-    V values{}, constant{};
-    V moment[3] = {}, derivatives[3] = {};
-    for(std::size_t j = 1; j < batch.centers(); ++j)
-    {
-      const V* const p = points + 3 * j;
-      const V* const w = weights + 4 * j;
-      values += w[0];
-      for(std::size_t c = 0; c < 3; ++c)
-      {
-        constant += p[c] * (0.5 * w[0] * p[c] + w[1 + c]);
-        moment[c] += w[0] * p[c];
-        derivatives[c] += w[1 + c];
-      }
-    }
-    polynomial[0] = -constant;
-    for(std::size_t c = 0; c < 3; ++c)
-    {
-      polynomial[1 + c] = has_gradients ? weights[1 + c] + derivatives[c] : weights[1 + c];
-      weights[1 + c] -= has_gradients ? moment[c] : moment[c] + derivatives[c];
-    }
-    polynomial[4] = weights[0];
-    weights[0] -= values;
   }
 };
 

@@ -2,13 +2,13 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_TREND_OF_EXACT_FIT_H
 
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial_fit.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
 
 #include <Eigen/Core>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -33,26 +33,30 @@ inline Hermite_trend trend_of_exact_fit(const Scaled_neighborhood& neighborhood,
   Hermite_trend trend(neighborhood.normals[0]);
   tangent_basis(trend.w, trend.u, trend.v);
 
-  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3 * Eigen::Index(number_of_points - 1) + size, size);
-  Eigen::VectorXd data = Eigen::VectorXd::Zero(rows.rows());
-  Eigen::Index row = 0;
-  for(std::size_t i = 1; i < number_of_points; ++i, row += 3)
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size); // normal equations
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(size), rows[3];
+  rows[0] = rows[1] = rows[2] = right;
+  for(std::size_t i = 1; i < number_of_points; ++i)
   {
     const Eigen::Vector3d &p = neighborhood.points[i], &n = neighborhood.normals[i];
     const double x = trend.u.dot(p), y = trend.v.dot(p), weight = trend.w.dot(n);
-    data.segment<3>(row) << weight * trend.w.dot(p), -trend.u.dot(n), -trend.v.dot(n);
+    const double data[3] = {weight * trend.w.dot(p), -trend.u.dot(n), -trend.v.dot(n)};
     for(Eigen::Index k = 0; k < size; ++k)
     {
       Height_polynomial<double> monomial;
       monomial.c[k] = weight;
-      monomial.value(x, y, rows(row, k));
-      monomial.gradient(x, y, rows(row + 1, k), rows(row + 2, k));
+      monomial.value(x, y, rows[0][k]);
+      monomial.gradient(x, y, rows[1][k], rows[2][k]);
+    }
+    for(int k = 0; k < 3; ++k)
+    {
+      matrix += rows[k] * rows[k].transpose();
+      right += data[k] * rows[k];
     }
   }
   for(Eigen::Index k = 0; k < size; ++k)
-    rows(row + k, k) =
-        std::pow(unit, k < 3 ? 3. : (k < 7 ? 2. : 1.)) / std::sqrt(Height_polynomial<double>::binomials[k]);
-  Eigen::Map<Eigen::VectorXd>(trend.height.c, size) = rows.householderQr().solve(data);
+    matrix(k, k) += std::pow(unit, k < 3 ? 6. : (k < 7 ? 4. : 2.)) / Height_polynomial<double>::binomials[k];
+  Eigen::Map<Eigen::VectorXd>(trend.height.c, size) = solve_positive_semidefinite(matrix, right);
 
   double square = 0.;
   for(std::size_t i = 1; i < number_of_points; ++i)
