@@ -464,6 +464,25 @@ BOOST_AUTO_TEST_CASE(exactness_is_checked)
   }
 }
 
+// Points beside the surface contradict exact normals, too.
+BOOST_AUTO_TEST_CASE(exactness_is_checked_of_points)
+{
+  for(const double noise : {.03, .1})
+    for(const Analytic_surface& s :
+        {test_support::with_noise(test_support::torus(1., .4, 64, 32, .2, 6), noise),
+         test_support::with_noise(test_support::ellipsoid(1., .8, .6, 4, .2, 5), noise)})
+    {
+      const auto error_of = [&](const auto& estimator)
+      { return errors(s, run(estimator, s, Normals::EXACT), 0.).mean; };
+      const double checked = error_of(exact), shared = error_of(shared_exact),
+                   unchecked = error_of(exact_unchecked);
+      BOOST_TEST_MESSAGE(s.name << ", points beside the surface by " << noise << ": mean error " << checked
+                                << ", shared " << shared << ", unchecked " << unchecked);
+      BOOST_TEST(checked < unchecked / 1.2);
+      BOOST_TEST(shared < unchecked / 1.2);
+    }
+}
+
 // noise that varies slowly from vertex to vertex, as that of marching cubes on a coarse grid
 BOOST_AUTO_TEST_CASE(noise_of_marching_cubes)
 {
