@@ -277,7 +277,7 @@ std::vector<Estimator<Input>> estimators()
     e.difference_of_fits = shared ? .35 : 0.; // the surfaces are coarse
     e.accuracy = shared ? .004 : .002;
     if constexpr(std::is_same_v<Input, Point_set>)
-      e.reproducibility = 1e-7; // at the border, neighbors lie on one side
+      e.reproducibility = 2e-9; // at the border, neighbors lie on one side
   }
   for(const bool shared : {true, false})
   {
@@ -292,7 +292,7 @@ std::vector<Estimator<Input>> estimators()
         shared ? std::numeric_limits<double>::infinity() : 0.; // normals of faces aren't exact
     e.accuracy = shared ? .35 : .15;
     if constexpr(std::is_same_v<Input, Point_set>)
-      e.reproducibility = 1e-8; // as above
+      e.reproducibility = 3e-9; // as above
   }
   {
     Estimator<Input>& e =

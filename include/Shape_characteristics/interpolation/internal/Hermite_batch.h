@@ -47,11 +47,12 @@ public:
     number_of_equations = equations == Hermite_equations::TANGENTS ? 3 * max_centers + 1 : 4 * max_centers;
     panels = (number_of_equations + 3) / 4;
     const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 8 * max_centers : 0;
+    const std::size_t right_sides = equations == Hermite_equations::TANGENTS ? 1 : 4;
     const std::array<std::size_t, 9> sizes = {6 * max_centers, // points, normals
                                               tangents_size,
                                               3 + Height_polynomial<double>::size, // trend, bend
                                               4,                                   // counts, noise, unit
-                                              4 * panels,                          // solution
+                                              4 * panels * right_sides,            // solution, noise
                                               4 * max_centers,                     // weights
                                               3 * max_centers + 5,        // at the first center, polynomial
                                               3 + s_jet,                  // evaluation
@@ -79,6 +80,7 @@ public:
     derivative_noise = value_noise + lanes;
     unit = derivative_noise + lanes;
     solution = next(4);
+    first_noise = solution + 4 * panels * lanes;
     weights = next(5);
     at_first = next(6);
     polynomial = at_first + 3 * max_centers * lanes;
@@ -172,6 +174,9 @@ public:
   double* derivative_noise = nullptr;
   double* unit = nullptr; // root mean square distance of the points from the first
   double* solution = nullptr;
+  // of GRADIENTS: how much of the noise of each derivative at the first center is in an equation, 3 right sides more; the matrix
+  // leaves it out
+  double* first_noise = nullptr;
   double* weights = nullptr;    // of the basis function and its gradient: 4 numbers for each center
   double* at_first = nullptr;   // psi, P and B of Basis_function_on_lanes between each center and the first
   double* polynomial = nullptr; // what the weights leave out: constant, linear and quadratic terms, 5 numbers

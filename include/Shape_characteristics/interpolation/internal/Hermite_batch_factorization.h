@@ -123,7 +123,6 @@ private:
   [[gnu::always_inline]] static void factorize(Hermite_batch& batch)
   {
     V* const matrix = vectors(batch.matrix);
-    V* const solution = vectors(batch.solution);
     V ok, one;
     set_lanes(ok, 1.);
     set_lanes(one, 1.);
@@ -136,15 +135,19 @@ private:
         if(p != first)
           find_tile(matrix, p, first);
         find_corner(matrix, p, ok, one);
-        substitute_forward(matrix, p, solution);
+        substitute_forward(batch, p);
       }
       for(std::size_t p = next; p < batch.panels; ++p)
         for(std::size_t q = first; q < next; ++q)
           find_tile(matrix, p, q);
     }
-    find_mahalanobis_square(batch);
+    // what noise that isn't in the matrix adds to the Mahalanobis square, and divides the root of the determinant by
+    V square{}, inverse_root = one;
+    if(batch.equations() == Hermite_equations::GRADIENTS)
+      take_first_noise(batch, square, inverse_root);
+    find_mahalanobis_square(batch, square);
     if(batch.wants_log_likelihood)
-      find_log_likelihood(batch);
+      find_log_likelihood(batch, inverse_root);
     substitute_backward(batch);
     *reinterpret_cast<V*>(batch.is_positive_definite.data()) = ok;
   }
@@ -158,28 +161,84 @@ private:
     inverse_sqrt(usable, pivot);
   }
 
-  [[gnu::always_inline]] static void substitute_forward(const V* matrix, std::size_t p, V* solution)
+  // Rows of panel `p`, of some right sides at once: entry `k` of the sequence is that of row `k % 4` and right side `k / 4`.
+  template <std::size_t... k>
+  [[gnu::always_inline]] static void
+  substitute_forward(const V* matrix, std::size_t p, V* right, std::size_t stride, std::index_sequence<k...>)
   {
-    const V* const rows = matrix + Hermite_batch::panel(p);
-    const V* const corner = rows + 16 * p;
-    V* const mine = solution + 4 * p;
-    V y0 = mine[0], y1 = mine[1], y2 = mine[2], y3 = mine[3];
-    for(std::size_t c = 0; c < 4 * p; ++c)
+    const V* rows = matrix + Hermite_batch::panel(p);
+    V y[] = {right[(k / 4) * stride + 4 * p + k % 4]...};
+    for(std::size_t c = 0; c < 4 * p; ++c, rows += 4)
+      ((y[k] -= rows[k % 4] * right[(k / 4) * stride + c]), ...);
+    const V* const corner = rows;
+    for(std::size_t r = 0; r < sizeof...(k); r += 4)
     {
-      const V y = solution[c];
-      y0 -= rows[4 * c] * y;
-      y1 -= rows[4 * c + 1] * y;
-      y2 -= rows[4 * c + 2] * y;
-      y3 -= rows[4 * c + 3] * y;
+      V* const x = y + r;
+      x[0] = x[0] * corner[0];
+      x[1] = (x[1] - corner[1] * x[0]) * corner[5];
+      x[2] = (x[2] - corner[2] * x[0] - corner[6] * x[1]) * corner[10];
+      x[3] = (x[3] - corner[3] * x[0] - corner[7] * x[1] - corner[11] * x[2]) * corner[15];
     }
-    y0 = y0 * corner[0];
-    y1 = (y1 - corner[1] * y0) * corner[5];
-    y2 = (y2 - corner[2] * y0 - corner[6] * y1) * corner[10];
-    y3 = (y3 - corner[3] * y0 - corner[7] * y1 - corner[11] * y2) * corner[15];
-    mine[0] = y0;
-    mine[1] = y1;
-    mine[2] = y2;
-    mine[3] = y3;
+    ((right[(k / 4) * stride + 4 * p + k % 4] = y[k]), ...);
+  }
+
+  // of all right sides, as many at once as there are registers for
+  [[gnu::always_inline]] static void substitute_forward(Hermite_batch& batch, std::size_t p)
+  {
+    const V* const matrix = vectors(batch.matrix);
+    V* const right = vectors(batch.solution);
+    const std::size_t stride = 4 * batch.panels;
+    if(batch.equations() == Hermite_equations::TANGENTS)
+      substitute_forward(matrix, p, right, stride, std::make_index_sequence<4>());
+    else if constexpr(n == 8)
+      substitute_forward(matrix, p, right, stride, std::make_index_sequence<16>());
+    else
+    {
+      substitute_forward(matrix, p, right, stride, std::make_index_sequence<8>());
+      substitute_forward(matrix, p, right + 2 * stride, stride, std::make_index_sequence<8>());
+    }
+  }
+
+  /*
+    Adds the noise of the first normal, of which some is in each value, to the covariance: between the substitutions. In the matrix,
+    it would be added to what is smaller by many digits, though data tell so much of what it hides that hardly any is left
+    (Woodbury's formula; the small matrix is I + variance * Z^T Z, where Z is the part of the noise after the first substitution).
+  */
+  [[gnu::always_inline]] static void take_first_noise(Hermite_batch& batch, V& square, V& inverse_root)
+  {
+    const std::size_t size = 4 * batch.panels;
+    V* const solution = vectors(batch.solution);
+    const V* const z0 = vectors(batch.first_noise);
+    const V* const z1 = z0 + size;
+    const V* const z2 = z1 + size;
+    V a00{}, a10{}, a11{}, a20{}, a21{}, a22{}, b0{}, b1{}, b2{};
+    for(std::size_t r = 0; r < size; ++r)
+    {
+      const V x = z0[r], y = z1[r], z = z2[r], s = solution[r];
+      a00 += x * x;
+      a10 += x * y;
+      a11 += y * y;
+      a20 += x * z;
+      a21 += y * z;
+      a22 += z * z;
+      b0 += x * s;
+      b1 += y * s;
+      b2 += z * s;
+    }
+    const V& variance = *vectors(batch.derivative_noise);
+    V i0, i1, i2; // inverse diagonal of the small factor
+    inverse_sqrt(V(1. + variance * a00), i0);
+    const V l10 = variance * a10 * i0, l20 = variance * a20 * i0;
+    inverse_sqrt(V(1. + variance * a11 - l10 * l10), i1);
+    const V l21 = (variance * a21 - l20 * l10) * i1;
+    inverse_sqrt(V(1. + variance * a22 - l20 * l20 - l21 * l21), i2);
+    const V c0 = b0 * i0, c1 = (b1 - l10 * c0) * i1, c2 = (b2 - l20 * c0 - l21 * c1) * i2;
+    const V x2 = c2 * i2, x1 = (c1 - l21 * x2) * i1, x0 = (c0 - l10 * x1 - l20 * x2) * i0;
+    square = variance * (x0 * x0 + x1 * x1 + x2 * x2);
+    inverse_root = i0 * i1 * i2;
+    const V d0 = variance * x0, d1 = variance * x1, d2 = variance * x2;
+    for(std::size_t r = 0; r < size; ++r)
+      solution[r] -= z0[r] * d0 + z1[r] * d1 + z2[r] * d2;
   }
 
   [[gnu::always_inline]] static void substitute_backward(Hermite_batch& batch)
@@ -204,21 +263,23 @@ private:
     }
   }
 
-  // between the substitutions
-  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch)
+  // between the substitutions; `square` is what is known of it
+  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch, V square)
   {
     const V* const solution = vectors(batch.solution);
-    V square{};
     for(std::size_t r = 0; r < batch.number_of_equations; ++r)
       square += solution[r] * solution[r];
     *reinterpret_cast<V*>(batch.mahalanobis_square.data()) = square;
   }
 
-  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch)
+  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch, const V& inverse_root)
   {
     const V* const matrix = vectors(batch.matrix);
     *reinterpret_cast<V*>(batch.log_likelihood.data()) =
         -0.5 * *reinterpret_cast<const V*>(batch.mahalanobis_square.data());
+    const double* const roots = reinterpret_cast<const double*>(&inverse_root);
+    for(int lane = 0; lane < n; ++lane)
+      batch.log_likelihood[std::size_t(lane)] += std::log(roots[lane]);
     // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
     for(std::size_t p = 0; p < batch.panels; ++p)
     {

@@ -25,8 +25,9 @@ namespace internal {
   gradient at the first center, the origin, say about it. So with each value, that is subtracted; and from each derivative along a
   tangent, that of grad f(0). The first terms are then left in the columns of the first center alone, and what is small elsewhere is
   computed from Basis_function_on_lanes, which gives all its digits. With estimated normals, the weights of derivatives are small
-  for their noise, and these equations stay as they are. Noise of the first center's data is in all that was subtracted. The
-  determinant is the same, and so are solution and likelihood.
+  for their noise, and these equations stay as they are. Noise of the first center's data is in all that was subtracted. That
+  of its estimated normal would hide what is small again, and is left to Hermite_batch_factorization. The determinant is the same,
+  and so are solution and likelihood.
 */
 template <int n, typename RadialBasisFunction>
 class Hermite_batch_solver
@@ -409,6 +410,7 @@ private:
     const V* const points = vectors(batch.points);
     const V* const normals = vectors(batch.normals);
     const V* const trend = vectors(batch.trend);
+    V* const first_noise = vectors(batch.first_noise);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
     const bool is_near = are_near(2. * batch.radius);
     for(std::size_t i = 0; i < batch.centers(); ++i)
@@ -422,10 +424,10 @@ private:
       entries[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - value_noise;
       if(i == 0)
         set_lanes(entries[0], basis_function.at_origin());
-      const V of_value = -(P_i + derivative_noise), of_derivative = P_i - 1.;
+      const V of_derivative = P_i - 1.;
       for(std::size_t k = 0; k < 3; ++k)
       {
-        entries[4 * (k + 1)] = of_value * p[k];
+        entries[4 * (k + 1)] = -P_i * p[k];
         entries[k + 1] = of_derivative * p[k];
       }
       for(std::size_t j = 1; j <= i; ++j)
@@ -437,7 +439,7 @@ private:
         const V pq = p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
         V* const block = entries + 16 * j;
         set_derivatives(block, dx, dy, dz, P, B);
-        block[0] = (psi - (psi_i - value_noise) - psi_j) + (P_i + P_j + derivative_noise) * pq;
+        block[0] = (psi - (psi_i - value_noise) - psi_j) + (P_i + P_j) * pq;
         const V of_i = P_j - P, of_j = B_j * pq - of_i;
         const V for_j = P_i - P, for_i = B_i * pq - for_j;
         for(std::size_t k = 0; k < 3; ++k)
@@ -452,11 +454,18 @@ private:
       const V absent = 1. - present;
       V* const diagonal = entries + 16 * i;
       diagonal[0] += value_noise + absent;
-      for(std::size_t k = 1; k < 4; ++k)
-        diagonal[5 * k] += derivative_noise + absent;
+      if(i > 0)
+        for(std::size_t k = 1; k < 4; ++k)
+          diagonal[5 * k] += derivative_noise + absent;
       solution[4 * i] = -present * (normals[0] * p[0] + normals[1] * p[1] + normals[2] * p[2]);
       for(std::size_t k = 0; k < 3; ++k)
+      {
         solution[4 * i + 1 + k] = present * (normals[3 * i + k] - trend[k]);
+        V* const noise = first_noise + (k * batch.panels + i) * 4;
+        noise[0] = -present * p[k];
+        for(std::size_t l = 0; l < 3; ++l)
+          set_lanes(noise[1 + l], i == 0 && k == l ? 1. : 0.);
+      }
     }
   }
 
