@@ -59,9 +59,10 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   the vertices and from the edges; so it changes with the order of the input. The mean error is up to some twice that of a
   fit for each vertex.
 
-  With normals that are given, the results follow scaling by powers of two to the last bit. Other scalings and rigid motions they follow to some
-  1e-10 of the largest curvature on meshes, to 1e-8 at the border of a point set, where all the neighbors lie on one side, and to 1e-6
-  on fine meshes with normals that are said to be exact and aren't: the systems of equations magnify the rounding of the coordinates.
+  With normals that are given, the results follow scaling by powers of two to the last bit. Other scalings and rigid motions they
+  follow to 1e-9 of the largest curvature on meshes, to some 1e-9 on point sets at the border, where all the neighbors lie on one
+  side, and at tips, and to 1e-6 on fine meshes with normals that are said to be exact and aren't: the systems of equations magnify
+  the rounding of the coordinates.
 
   \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`; faces may have any number of vertices

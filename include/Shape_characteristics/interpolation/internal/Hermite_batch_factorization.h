@@ -13,7 +13,8 @@ namespace Shape_characteristics {
 namespace internal {
 
 /*
-  Solves the systems of a Hermite_batch, `n` at a time, by Cholesky's method. It doesn't matter of which basis function they are.
+  Solves the systems of a Hermite_batch, `n` at a time, by Cholesky's method, and takes the solutions back to the basis of which
+  Hermite_function_on_lanes has taken the equations. It doesn't matter of which basis function they are.
 
   The lower triangle of the matrix lies in panels of four rows, column by column, so that the innermost loop of the
   factorization reads two panels from front to back, and each number it reads is used four times.
@@ -263,10 +264,11 @@ private:
     }
   }
 
-  // between the substitutions; `square` is what is known of it
-  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch, V square)
+  // between the substitutions; `part` is what is known of it
+  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch, const V& part)
   {
     const V* const solution = vectors(batch.solution);
+    V square = part;
     for(std::size_t r = 0; r < batch.number_of_equations; ++r)
       square += solution[r] * solution[r];
     *reinterpret_cast<V*>(batch.mahalanobis_square.data()) = square;

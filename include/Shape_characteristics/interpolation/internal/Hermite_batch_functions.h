@@ -3,7 +3,7 @@
 
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_factorization.h>
-#include <Shape_characteristics/interpolation/internal/Hermite_batch_solver.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_function_on_lanes.h>
 #ifdef SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
@@ -50,7 +50,7 @@ struct Hermite_batch_factorizations
 };
 
 /*
-  Hermite_batch_solver and Hermite_batch_factorization, compiled for several instruction sets, and the choice of the widest that the
+  Hermite_function_on_lanes and Hermite_batch_factorization, compiled for several instruction sets, and the choice of the widest that the
   processor has: the program need not have been compiled for it. Widths of 4 and 8 give the same bits; that of 2 has no fused
   multiplication and addition, unless the whole program was compiled with it.
 */
@@ -75,40 +75,40 @@ private:
   [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void assemble_8(Hermite_batch& batch,
                                                                const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<8, RadialBasisFunction>::assemble(batch, phi);
+    Hermite_function_on_lanes<8, RadialBasisFunction>::assemble(batch, phi);
   }
 
   template <bool with_hessian>
   [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void evaluate_8(Hermite_batch& batch,
                                                                const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<8, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+    Hermite_function_on_lanes<8, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 
   [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void assemble_4(Hermite_batch& batch,
                                                                const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<4, RadialBasisFunction>::assemble(batch, phi);
+    Hermite_function_on_lanes<4, RadialBasisFunction>::assemble(batch, phi);
   }
 
   template <bool with_hessian>
   [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void evaluate_4(Hermite_batch& batch,
                                                                const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<4, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+    Hermite_function_on_lanes<4, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 #endif
 
   template <int n>
   static void assemble_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<n, RadialBasisFunction>::assemble(batch, phi);
+    Hermite_function_on_lanes<n, RadialBasisFunction>::assemble(batch, phi);
   }
 
   template <int n, bool with_hessian>
   static void evaluate_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_batch_solver<n, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+    Hermite_function_on_lanes<n, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 };
 

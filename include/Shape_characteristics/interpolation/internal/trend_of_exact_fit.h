@@ -24,7 +24,7 @@ namespace internal {
   A flat basis function needs large weights of opposite signs to follow a polynomial, and loses as many digits. Where samples are
   close, a polynomial is nearly all that there is.
 
-  This is plain Eigen; Hermite_batch_solver does the same side by side.
+  This is plain Eigen; Hermite_function_on_lanes does the same side by side.
 */
 inline Hermite_trend trend_of_exact_fit(const Scaled_neighborhood& neighborhood, double unit)
 {

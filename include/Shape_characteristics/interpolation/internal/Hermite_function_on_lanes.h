@@ -1,5 +1,5 @@
-#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
-#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FUNCTION_ON_LANES_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FUNCTION_ON_LANES_H
 
 #include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial_fit.h>
@@ -30,7 +30,7 @@ namespace internal {
   and so are solution and likelihood.
 */
 template <int n, typename RadialBasisFunction>
-class Hermite_batch_solver
+class Hermite_function_on_lanes
 {
   using V = Lanes<n>;
   using Basis_function = Basis_function_on_lanes<RadialBasisFunction>;
@@ -587,4 +587,4 @@ private:
 } // namespace internal
 } // namespace Shape_characteristics
 
-#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_SOLVER_H
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FUNCTION_ON_LANES_H
