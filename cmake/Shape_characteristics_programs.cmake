@@ -2,7 +2,7 @@
 #
 # Shape_characteristics_development    the library, our warnings and sanitizers, TBB where it is found
 # Shape_characteristics_OpenMesh       OpenMesh, where it is found
-# Shape_characteristics_precompiled    precompiled/: headers of other libraries, and what takes long to compile of them
+# Shape_characteristics_precompiled    precompiled/: headers of other libraries, and what takes long to compile, of them and of ours
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code

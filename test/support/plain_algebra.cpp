@@ -30,10 +30,10 @@ Eigen::Matrix3d left_singular_vectors(const Eigen::Matrix3d& matrix)
 
 Eigen::Matrix3d shortest_rotation(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
 {
-  const Eigen::Vector3d axis = from.cross(to);
-  return axis.isZero(0.)
-             ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
-             : Eigen::AngleAxisd(std::atan2(axis.norm(), from.dot(to)), axis.normalized()).toRotationMatrix();
+  const Eigen::Vector3d axis = from.cross(to); // none if they are parallel: any will do
+  return Eigen::AngleAxisd(std::atan2(axis.norm(), from.dot(to)),
+                           axis.isZero(0.) ? from.unitOrthogonal() : Eigen::Vector3d(axis.normalized()))
+      .toRotationMatrix();
 }
 
 } // namespace test_support

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
 #include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -111,12 +112,14 @@ inline double pitch_of_features(const Found_head_features& found)
     y[i] = p.y();
     z[i] = p.z();
   }
+  // of the types that solve_positive_semidefinite() has: compiled but once
+  const Eigen::LDLT<Eigen::MatrixXd> factors(covariance);
   Eigen::MatrixXd matrix(4, 4);
   Eigen::VectorXd right(4);
   for(Eigen::Index k = 0; k < 4; ++k)
   {
-    const Eigen::VectorXd y_weights = solve_positive_semidefinite(covariance, y_rows.col(k)),
-                          z_weights = solve_positive_semidefinite(covariance, z_rows.col(k));
+    const Eigen::VectorXd y_row = y_rows.col(k), z_row = z_rows.col(k), y_weights = factors.solve(y_row),
+                          z_weights = factors.solve(z_row);
     for(Eigen::Index l = 0; l < 4; ++l)
       matrix(k, l) = y_weights.dot(y_rows.col(l)) + z_weights.dot(z_rows.col(l));
     right[k] = y_weights.dot(y) + z_weights.dot(z);

@@ -36,6 +36,15 @@ public:
 private:
   [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
+  // Solves with a corner as find_corner() leaves it: four numbers of a row of the factor, or of a right side.
+  [[gnu::always_inline]] static void divide_by_corner(const V* corner, V* x)
+  {
+    x[0] = x[0] * corner[0];
+    x[1] = (x[1] - x[0] * corner[1]) * corner[5];
+    x[2] = (x[2] - x[0] * corner[2] - x[1] * corner[6]) * corner[10];
+    x[3] = (x[3] - x[0] * corner[3] - x[1] * corner[7] - x[2] * corner[11]) * corner[15];
+  }
+
   /*
     Some rows of a tile, all at once because they are in registers meanwhile: entry `k` of the sequence is that in column `k % 4` of
     row `first + k / 4`. What the columns before the tile (`length` of them) have to do with it is subtracted: `rows` are those
@@ -48,15 +57,8 @@ private:
     V sums[] = {tile[4 * (k % 4) + first + k / 4]...};
     for(std::size_t c = 0; c < length; ++c, rows += 4, columns += 4)
       ((sums[k] -= rows[first + k / 4] * columns[k % 4]), ...);
-    const V* const corner = columns;
-    for(std::size_t r = 0; r < sizeof...(k) / 4; ++r)
-    {
-      V* const x = sums + 4 * r;
-      x[0] = x[0] * corner[0];
-      x[1] = (x[1] - x[0] * corner[1]) * corner[5];
-      x[2] = (x[2] - x[0] * corner[2] - x[1] * corner[6]) * corner[10];
-      x[3] = (x[3] - x[0] * corner[3] - x[1] * corner[7] - x[2] * corner[11]) * corner[15];
-    }
+    for(std::size_t r = 0; r < sizeof...(k); r += 4)
+      divide_by_corner(columns, sums + r);
     ((tile[4 * (k % 4) + first + k / 4] = sums[k]), ...);
   }
 
@@ -171,15 +173,8 @@ private:
     V y[] = {right[(k / 4) * stride + 4 * p + k % 4]...};
     for(std::size_t c = 0; c < 4 * p; ++c, rows += 4)
       ((y[k] -= rows[k % 4] * right[(k / 4) * stride + c]), ...);
-    const V* const corner = rows;
     for(std::size_t r = 0; r < sizeof...(k); r += 4)
-    {
-      V* const x = y + r;
-      x[0] = x[0] * corner[0];
-      x[1] = (x[1] - corner[1] * x[0]) * corner[5];
-      x[2] = (x[2] - corner[2] * x[0] - corner[6] * x[1]) * corner[10];
-      x[3] = (x[3] - corner[3] * x[0] - corner[7] * x[1] - corner[11] * x[2]) * corner[15];
-    }
+      divide_by_corner(rows, y + r);
     ((right[(k / 4) * stride + 4 * p + k % 4] = y[k]), ...);
   }
 
