@@ -293,24 +293,26 @@ BOOST_AUTO_TEST_CASE(sphere_is_umbilic)
       }
 }
 
+// On tori, which are regular, much is equal but for rounding: distances, coordinates, angles. The coarse one looks noisy.
 BOOST_AUTO_TEST_CASE(scaling)
 {
-  const Point_set points = sheet();
-  for(const Point_estimator& estimator : all_estimators)
-  {
-    if(!estimator.gives_curvatures)
-      continue;
-    const Results a = estimator.all(points);
-    for(const double scale : {1e-6, 1e6, 0x1p-200, 0x1p200})
-      BOOST_TEST_CONTEXT("times " << scale << ", " << estimator.name)
-      {
-        const Results b = estimator.all(moved(
-            points, [&](const Point_3& p) { return Point_3(scale * p.x(), scale * p.y(), scale * p.z()); }));
-        BOOST_TEST_MESSAGE(estimator.name << " times " << scale << ": changed by "
-                                          << change_by_scaling(a, b, scale));
-        BOOST_TEST(complaint_of_scaled(estimator, a, b, scale) == "");
-      }
-  }
+  for(const Point_set& points : {sheet(), points_of(torus()), points_of(torus(1., .4, 24, 12))})
+    for(const Point_estimator& estimator : all_estimators)
+    {
+      if(!estimator.gives_curvatures)
+        continue;
+      const Results a = estimator.all(points);
+      for(const double scale : {1e-6, 1e6, 0x1p-200, 0x1p200})
+        BOOST_TEST_CONTEXT(points.size() << " points times " << scale << ", " << estimator.name)
+        {
+          const Results b =
+              estimator.all(moved(points, [&](const Point_3& p)
+                                  { return Point_3(scale * p.x(), scale * p.y(), scale * p.z()); }));
+          BOOST_TEST_MESSAGE(points.size() << " points, " << estimator.name << " times " << scale
+                                           << ": changed by " << change_by_scaling(a, b, scale));
+          BOOST_TEST(complaint_of_scaled(estimator, a, b, scale) == "");
+        }
+    }
 }
 
 // The points were rounded when they were moved away; moving them back is exact.

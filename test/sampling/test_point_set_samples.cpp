@@ -328,6 +328,38 @@ BOOST_AUTO_TEST_CASE(equal_distances_but_for_rounding)
   }
 }
 
+// On regular surfaces, distances, coordinates, and edges of boxes are equal but for rounding. It doesn't decide.
+BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
+{
+  for(const test_support::Analytic_surface& surface :
+      {test_support::torus(), test_support::torus(1., .4, 24, 12), test_support::waves(.1, 4., 1., 40)})
+  {
+    const auto points_times = [&](const double factor)
+    {
+      std::vector<Point_3> points;
+      for(const auto& p : surface.points)
+        points.emplace_back(factor * p[0], factor * p[1], factor * p[2]);
+      return points;
+    };
+    const Point_set_samples samples = samples_of(points_times(1.), Neighborhood::nearest(18));
+    Point_set_samples::Workspace workspace;
+    for(const double factor : {1e6, 3e5, 1e3, 1. / 3., 1e-6})
+    {
+      const Point_set_samples others = samples_of(points_times(factor), Neighborhood::nearest(18));
+      BOOST_TEST((samples.traversal_order() == others.traversal_order()),
+                 surface.name << " times " << factor);
+      std::size_t different = 0;
+      for(std::size_t i = 0; i < samples.size(); ++i)
+      {
+        const Indices neighbors = samples.neighbors(i, 0, workspace);
+        different += neighbors != others.neighbors(i, 0, workspace);
+      }
+      BOOST_TEST(different == 0u,
+                 surface.name << " times " << factor << ": " << different << " neighborhoods");
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(spacing)
 {
   const std::vector<Point_3> points = random_points(80, 9);

@@ -297,8 +297,11 @@ private:
       jet = at_center;
     else
     {
-      // the same pattern for a normal and its opposite: flipping a surface flips the result to the last bit
-      const Vector& n = neighborhood.normals[0];
+      // the same pattern for a normal and its opposite: flipping a surface flips the result to the last bit. The sign of
+      // what is zero but for rounding doesn't decide.
+      constexpr double is_zero = 1e-9;
+      const Vector& normal = neighborhood.normals[0];
+      const Vector n = (normal.array().abs() < is_zero).select(0., normal);
       const bool is_up = n.z() != 0. ? n.z() > 0. : (n.y() != 0. ? n.y() > 0. : n.x() > 0.);
       Vector t1, t2;
       internal::tangent_basis(Vector(is_up ? n : Vector(-n)) + Vector::Zero(), t1, t2); // -0 becomes 0

@@ -235,7 +235,8 @@ public:
 
   /*!
     returns the neighbors of vertex `i`, without `i` itself, the nearest first; those that are equally far, to
-    seven digits, in the lexicographic order of their points. Vertices whose points or normals are not finite are left out.
+    seven digits, in the lexicographic order of their points, to six digits. Vertices whose points or normals are
+    not finite are left out.
 
     If rings give less than `minimum` neighbors (on a border, say), up to two further rings are added. A ball
     isn't enlarged.

@@ -2,9 +2,10 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_POINT_SET_SAMPLES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Rounded_distance.h>
+#include <Shape_characteristics/internal/Rounded_order.h>
 #include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
-#include <Shape_characteristics/internal/rounded_distance.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/Kd_tree.h>
 #include <Shape_characteristics/sampling/internal/make_unit.h>
@@ -67,7 +68,8 @@ public:
   Point_set_samples(const PointRange& points, const PointMap& point_map, const Neighborhood& neighborhood)
     : m_neighborhood(checked(neighborhood)),
       m_points(copy(points, point_map)),
-      m_tree(m_points)
+      m_tree(m_points),
+      m_rounded(m_tree.extent() * m_tree.extent())
   {
     m_status.assign(size(), Estimation_status::ESTIMATED);
     for(std::size_t i = 0; i < size(); ++i)
@@ -94,8 +96,8 @@ public:
 
   /*!
     returns the neighbors of point `i`, the nearest first; those that are equally far, to seven digits, in the
-    lexicographic order of their coordinates. `i` itself, points with the same coordinates as `i`, and points whose
-    coordinates or normals are not finite are left out.
+    lexicographic order of their coordinates, to six digits. `i` itself, points with the same coordinates as `i`, and
+    points whose coordinates or normals are not finite are left out.
 
     The reference is valid until the next call with the same workspace.
 
@@ -297,13 +299,13 @@ private:
     double squared_radius() const
     {
       return size < capacity ? std::numeric_limits<double>::infinity()
-                             : internal::largest_rounded_to(nearest[capacity - 1].first);
+                             : samples.m_rounded.largest(nearest[capacity - 1].first);
     }
     void operator()(const Entry& entry, double squared_distance)
     {
       if(squared_distance > squared_radius() || entry.point == center)
         return;
-      const Candidate candidate(internal::rounded_distance(squared_distance), entry.index);
+      const Candidate candidate(samples.m_rounded(squared_distance), entry.index);
       if(size < capacity)
         ++size;
       else if(!is_before(candidate, nearest[capacity - 1]))
@@ -315,7 +317,12 @@ private:
     }
     bool is_before(const Candidate& a, const Candidate& b) const
     {
-      return a.first != b.first ? a.first < b.first : samples.comes_before(a.second, b.second);
+      if(a.first != b.first)
+        return a.first < b.first;
+      const Eigen::Vector3d &p = samples.m_tree.point(a.second), &q = samples.m_tree.point(b.second);
+      if(p != q || !samples.has_normals())
+        return internal::Rounded_order(center, samples.m_rounded.length(a.first))(p, q);
+      return internal::lexicographically_smaller(samples.m_normals[a.second], samples.m_normals[b.second]);
     }
   };
 
@@ -327,17 +334,11 @@ private:
     return search.size;
   }
 
-  bool comes_before(const Index a, const Index b) const
-  {
-    if(m_tree.point(a) != m_tree.point(b) || !has_normals())
-      return internal::lexicographically_smaller(m_tree.point(a), m_tree.point(b));
-    return internal::lexicographically_smaller(m_normals[a], m_normals[b]);
-  }
-
   Neighborhood m_neighborhood;
   std::vector<Eigen::Vector3d> m_points, m_normals;
   std::vector<Estimation_status> m_status;
   internal::Kd_tree m_tree; // of the points given at construction
+  internal::Rounded_distance m_rounded;
   bool m_has_moved = false; // from them
 };
 

@@ -2,8 +2,8 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
-#include <Shape_characteristics/internal/rounded_distance.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
@@ -256,7 +256,7 @@ private:
          neighborhood.normals[n].dot(neighborhood.normals[0]) > reach.cosine)
       {
         is_served[j] = 1;
-        if(const double rounded = rounded_distance(squared_distance); rounded < nearest->squared_distance)
+        if(const double rounded = Rounded_distance(1.)(squared_distance); rounded < nearest->squared_distance)
           *nearest = {rounded, number, Index(n)};
       }
       else if(squared_distance > reach.rim * reach.rim && !is_served[j])

@@ -68,12 +68,13 @@ inline double nugget(double rounding_error)
   return (std::max)(1e-12, 16. * rounding_error * rounding_error);
 }
 
-// the linear trend of an inexact fit: normals of an opposite sheet don't take part in it
+// The linear trend of an inexact fit. Normals of an opposite sheet don't take part in it, nor do those at right angles:
+// where a regular surface has some, rounding would decide.
 inline Eigen::Vector3d trend_of_noisy_fit(const std::vector<Eigen::Vector3d>& normals)
 {
   Eigen::Vector3d trend = Eigen::Vector3d::Zero();
   for(const Eigen::Vector3d& n : normals)
-    if(n.dot(normals[0]) > 0.)
+    if(n.dot(normals[0]) > 0.1)
       trend += n;
   return trend.normalized();
 }

@@ -2,11 +2,13 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_NOISE_PROBES_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Rounded_order.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -19,8 +21,8 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// `count` (or all) of the samples that can be used, spread evenly over their lexicographic order: that of the input, and
-// samples that can't be used, don't matter.
+// `count` (or all) of the samples that can be used, spread evenly over their lexicographic order: that of the input, rounding,
+// and samples that can't be used, don't matter.
 template <typename SampledSurface>
 std::vector<std::uint32_t> probes_of(const SampledSurface& surface, std::size_t count)
 {
@@ -28,10 +30,14 @@ std::vector<std::uint32_t> probes_of(const SampledSurface& surface, std::size_t 
   for(std::size_t i = 0; i < surface.size(); ++i)
     if(is_estimated(surface.status(i)))
       samples.push_back(std::uint32_t(i));
+  Eigen::AlignedBox3d box;
+  for(const std::uint32_t i : samples)
+    box.extend(surface.point(i));
+  const Rounded_order order(box.min(), box.sizes().maxCoeff());
   const auto is_before = [&](const std::uint32_t i, const std::uint32_t j)
   {
     if(surface.point(i) != surface.point(j))
-      return lexicographically_smaller(surface.point(i), surface.point(j));
+      return order(surface.point(i), surface.point(j));
     return lexicographically_smaller(surface.normal(i), surface.normal(j));
   };
   const std::size_t probes = (std::min)(count, samples.size());

@@ -1,9 +1,11 @@
 #ifndef SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
 #define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_KD_TREE_H
 
+#include <Shape_characteristics/internal/Rounded_comparison.h>
 #include <Shape_characteristics/internal/large_pages.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,6 +34,8 @@ public:
     for(std::size_t i = 0; i < points.size(); ++i)
       if(points[i].allFinite())
         m_entries.push_back({points[i], std::uint32_t(i)});
+    if(!m_entries.empty())
+      m_extent = box_of(0, m_entries.size()).sizes().maxCoeff();
     std::size_t number_of_leaves = 1;
     while(number_of_leaves * s_leaf_size < m_entries.size())
       number_of_leaves *= 2;
@@ -43,6 +47,8 @@ public:
   }
 
   const std::vector<Entry>& entries() const noexcept { return m_entries; }
+  // longest edge of the box around all points
+  double extent() const noexcept { return m_extent; }
   // whether point `i` is finite
   bool contains(std::size_t i) const { return m_place[i] != s_none; }
   // point `i`, which must be finite
@@ -62,31 +68,42 @@ private:
 
   struct Node
   {
-    double below = 0., above = 0.; // the largest coordinate in the first half and the smallest in the second
+    double below = 0., above = 0.; // no coordinate in the first half is larger, none in the second smaller
     int dimension = -1;            // of the coordinate; none if the node is a leaf
   };
+
+  Eigen::AlignedBox3d box_of(std::size_t begin, std::size_t end) const
+  {
+    Eigen::AlignedBox3d box;
+    for(std::size_t k = begin; k < end; ++k)
+      box.extend(m_entries[k].point);
+    return box;
+  }
 
   // node `i` has the children `2 i` and `2 i + 1`, with half of its points each
   void build(std::size_t node, std::size_t begin, std::size_t end)
   {
     if(end - begin <= s_leaf_size)
       return;
-    Eigen::Vector3d lowest = m_entries[begin].point, highest = lowest;
-    for(std::size_t k = begin + 1; k < end; ++k)
-    {
-      lowest = lowest.cwiseMin(m_entries[k].point);
-      highest = highest.cwiseMax(m_entries[k].point);
-    }
-    Eigen::Index dimension;
-    if(!((highest - lowest).maxCoeff(&dimension) > 0.)) // copies of one point, in whatever number, are a leaf
+    const Eigen::AlignedBox3d box = box_of(begin, end);
+    const Eigen::Vector3d extent = box.sizes();
+    if(!(extent.maxCoeff() > 0.)) // copies of one point, in whatever number, are a leaf
       return;
+    // What is equal but for rounding is equal: the order of the points is the same however large a regular set is.
+    const double unit = 0x1p-20 * extent.maxCoeff();
+    int dimension = 0;
+    while(extent[dimension] < extent.maxCoeff() - unit)
+      ++dimension;
     const std::size_t middle = begin + (end - begin) / 2;
     const auto at = [&](const std::size_t k) { return m_entries.begin() + std::ptrdiff_t(k); };
-    const auto is_before = [&](const Entry& a, const Entry& b)
-    { return a.point[dimension] < b.point[dimension]; };
+    const auto is_before =
+        [dimension, compare = Rounded_comparison(box.min()[dimension], unit)](const Entry& a, const Entry& b)
+    { return compare(a.point[dimension], b.point[dimension]) < 0; };
     std::nth_element(at(begin), at(middle), at(end), is_before);
-    m_nodes[node] = {std::max_element(at(begin), at(middle), is_before)->point[dimension],
-                     m_entries[middle].point[dimension], int(dimension)};
+    double below = box.min()[dimension];
+    for(std::size_t k = begin; k < middle; ++k)
+      below = (std::max)(below, m_entries[k].point[dimension]);
+    m_nodes[node] = {below, m_entries[middle].point[dimension] - unit, dimension};
     build(2 * node, begin, middle);
     build(2 * node + 1, middle, end);
   }
@@ -130,6 +147,7 @@ private:
   std::vector<Entry> m_entries;
   std::vector<std::uint32_t> m_place; // of the points among the entries
   std::vector<Node> m_nodes;
+  double m_extent = 0.;
 };
 
 } // namespace internal

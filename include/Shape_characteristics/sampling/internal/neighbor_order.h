@@ -1,8 +1,9 @@
 #ifndef SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
 #define SHAPE_CHARACTERISTICS_SAMPLING_INTERNAL_NEIGHBOR_ORDER_H
 
+#include <Shape_characteristics/internal/Rounded_distance.h>
+#include <Shape_characteristics/internal/Rounded_order.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
-#include <Shape_characteristics/internal/rounded_distance.h>
 
 #include <Eigen/Core>
 
@@ -17,8 +18,8 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Sorts neighbors by rounded distance, then by coordinates, then by normals: an order that the surface alone determines. Sums
-// over a neighborhood then have the same bits whatever the order of the input and the type of the mesh.
+// Sorts neighbors by rounded distance, then by rounded coordinates, then by normals: an order that the surface alone
+// determines. Sums over a neighborhood then have the same bits whatever the order of the input and the type of the mesh.
 class Neighbor_order
 {
 public:
@@ -28,14 +29,21 @@ public:
     const Eigen::Vector3d& p = samples.point(center);
     const std::size_t n = neighbors.size();
     m_distances.resize(n);
+    double largest = 0.;
     for(std::size_t k = 0; k < n; ++k)
-      m_distances[k] = {rounded_distance((samples.point(neighbors[k]) - p).squaredNorm()), neighbors[k]};
+    {
+      m_distances[k] = {(samples.point(neighbors[k]) - p).squaredNorm(), neighbors[k]};
+      largest = (std::max)(largest, m_distances[k].first);
+    }
+    const Rounded_distance rounded(largest);
+    for(Key& key : m_distances)
+      key.first = rounded(key.first);
     const auto is_before = [&](const Key& a, const Key& b)
     {
       if(a.first != b.first)
         return a.first < b.first;
       if(samples.point(a.second) != samples.point(b.second) || !samples.has_normals())
-        return lexicographically_smaller(samples.point(a.second), samples.point(b.second));
+        return Rounded_order(p, rounded.length(a.first))(samples.point(a.second), samples.point(b.second));
       return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
     };
     if(n <= s_most_ranked)
