@@ -17,11 +17,10 @@ class Rounded_distance
 {
 public:
   // `unit`: a squared distance
-  explicit Rounded_distance(double unit) : m_inverse(1. / unit)
-  {
-    if(!std::isnormal(unit) || !std::isnormal(m_inverse))
-      m_inverse = 1.;
-  }
+  explicit Rounded_distance(double unit)
+    : m_unit(unit > 1e-300 && unit < 1e300 ? unit : 1.),
+      m_inverse(1. / m_unit)
+  {}
 
   double operator()(double squared_distance) const
   {
@@ -37,14 +36,14 @@ public:
   // no squared distance that becomes `rounded` is larger
   double largest(double rounded) const
   {
-    return std::isfinite(rounded) ? rounded / m_inverse * (1. + 0x1p-25) : rounded;
+    return std::isfinite(rounded) ? rounded * m_unit * (1. + 0x1p-25) : rounded;
   }
 
   // of what becomes `rounded`, not squared
-  double length(double rounded) const { return std::sqrt(rounded / m_inverse); }
+  double length(double rounded) const { return std::sqrt(rounded * m_unit); }
 
 private:
-  double m_inverse;
+  double m_unit, m_inverse;
 };
 
 } // namespace internal

@@ -294,16 +294,13 @@ private:
     const Point_set_samples& samples;
     const Eigen::Vector3d& center;
     Candidate* nearest;
-    std::size_t capacity, size;
+    std::size_t capacity, size = 0;
+    double radius = std::numeric_limits<double>::infinity(); // squared
 
-    double squared_radius() const
-    {
-      return size < capacity ? std::numeric_limits<double>::infinity()
-                             : samples.m_rounded.largest(nearest[capacity - 1].first);
-    }
+    double squared_radius() const { return radius; }
     void operator()(const Entry& entry, double squared_distance)
     {
-      if(squared_distance > squared_radius() || entry.point == center)
+      if(squared_distance > radius || entry.point == center)
         return;
       const Candidate candidate(samples.m_rounded(squared_distance), entry.index);
       if(size < capacity)
@@ -314,6 +311,8 @@ private:
       for(; k > 0 && is_before(candidate, nearest[k - 1]); --k)
         nearest[k] = nearest[k - 1];
       nearest[k] = candidate;
+      if(size == capacity)
+        radius = samples.m_rounded.largest(nearest[capacity - 1].first);
     }
     bool is_before(const Candidate& a, const Candidate& b) const
     {
@@ -329,7 +328,7 @@ private:
   // returns how many there are, at most `count`
   std::size_t collect_nearest(std::size_t i, Candidate* nearest, std::size_t count) const
   {
-    Nearest_search search{*this, m_tree.point(i), nearest, count, 0};
+    Nearest_search search{*this, m_tree.point(i), nearest, count};
     m_tree.search(search.center, search);
     return search.size;
   }

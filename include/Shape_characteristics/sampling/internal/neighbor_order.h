@@ -28,16 +28,17 @@ public:
   {
     const Eigen::Vector3d& p = samples.point(center);
     const std::size_t n = neighbors.size();
-    m_distances.resize(n);
+    m_squares.resize(n);
     double largest = 0.;
     for(std::size_t k = 0; k < n; ++k)
     {
-      m_distances[k] = {(samples.point(neighbors[k]) - p).squaredNorm(), neighbors[k]};
-      largest = (std::max)(largest, m_distances[k].first);
+      m_squares[k] = (samples.point(neighbors[k]) - p).squaredNorm();
+      largest = (std::max)(largest, m_squares[k]);
     }
     const Rounded_distance rounded(largest);
-    for(Key& key : m_distances)
-      key.first = rounded(key.first);
+    m_distances.resize(n);
+    for(std::size_t k = 0; k < n; ++k)
+      m_distances[k] = {rounded(m_squares[k]), neighbors[k]};
     const auto is_before = [&](const Key& a, const Key& b)
     {
       if(a.first != b.first)
@@ -92,6 +93,7 @@ private:
     }
   }
 
+  std::vector<double> m_squares;
   std::vector<Key> m_distances, m_sorted;
 };
 
