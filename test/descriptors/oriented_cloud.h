@@ -46,6 +46,21 @@ inline Cloud wavy_cloud(std::size_t count, unsigned int seed)
   return cloud;
 }
 
+// a torus of radii 1 and .4, where much is equal but for rounding
+inline Cloud torus_cloud(int around_ring, int around_tube)
+{
+  Cloud cloud;
+  for(int i = 0; i < around_ring; ++i)
+    for(int j = 0; j < around_tube; ++j)
+    {
+      const double a = 2. * EIGEN_PI * i / around_ring, b = 2. * EIGEN_PI * j / around_tube;
+      const Vector3d outward(std::cos(a), std::sin(a), 0.);
+      cloud.normals.push_back(std::cos(b) * outward + std::sin(b) * Vector3d::UnitZ());
+      cloud.points.push_back(outward + .4 * cloud.normals.back());
+    }
+  return cloud;
+}
+
 // in the plane x = 0, which has exact results
 inline Cloud mirrored(Cloud cloud)
 {

@@ -250,6 +250,20 @@ BOOST_AUTO_TEST_CASE(motion_and_unit)
     }
 }
 
+BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
+{
+  for(const Cloud& cloud : {torus_cloud(24, 12), torus_cloud(48, 24)})
+    for(const double r : {.3, .4})
+    {
+      const SC::Descriptor_matrix m = fpfh(cloud, SC::Neighborhood::ball(r));
+      for(const double scale : {1e6, 3e5, 1e3, 1e-6})
+      {
+        const Cloud other = moved(cloud, scale, Eigen::Matrix3d::Identity(), Vector3d::Zero());
+        BOOST_TEST(difference(m, fpfh(other, SC::Neighborhood::ball(r * scale))) < 1e-4);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(order_of_the_points)
 {
   const Cloud cloud = rough_cloud(300, 10, .3);

@@ -217,6 +217,23 @@ BOOST_AUTO_TEST_CASE(motion_scale_and_order)
   }
 }
 
+// Neither distances that are equal but for rounding decide, nor sides of planes of symmetry. (In the other variant, neighbors in
+// the plane of symmetry are on the border of two bins.)
+BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
+{
+  for(const Cloud& cloud : {torus_cloud(24, 12), torus_cloud(48, 24)})
+    for(const double r : {.3, .4})
+    {
+      const SC::Descriptor_matrix shot = shot_of(cloud, SC::Neighborhood::ball(r), SC::Shot_variant::PAPER);
+      for(const double scale : {1e6, 3e5, 1e3, 1e-6})
+      {
+        const Cloud other = moved(cloud, scale, Eigen::Matrix3d::Identity(), Vector3d::Zero());
+        BOOST_TEST(difference(shot, shot_of(other, SC::Neighborhood::ball(r * scale),
+                                            SC::Shot_variant::PAPER)) < 1e-5);
+      }
+    }
+}
+
 // the reversed sectors are the descriptor of the mirrored surface
 BOOST_AUTO_TEST_CASE(mirror_and_flip)
 {

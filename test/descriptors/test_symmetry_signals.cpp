@@ -301,6 +301,24 @@ BOOST_AUTO_TEST_CASE(motion_and_scale)
   }
 }
 
+// Each point of a torus is on a plane of symmetry.
+BOOST_AUTO_TEST_CASE(mirror_symmetric_surface)
+{
+  const Cloud cloud = torus_cloud(24, 12);
+  std::vector<double> mean, Gaussian;
+  for(const Vector3d& p : cloud.points)
+  {
+    const double across = p.head<2>().norm(), k = (across - 1.) / (.4 * across);
+    mean.push_back(.5 * (1. / .4 + k));
+    Gaussian.push_back(k / .4);
+  }
+  for(const double r : {.4, .5})
+  {
+    const SC::Point_set_samples samples = samples_of(cloud, SC::Neighborhood::ball(r));
+    BOOST_TEST(compute<Volume>(samples, mean, Gaussian).values.array().abs().maxCoeff() < 1e-6f);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(functions_of_points)
 {
   const Cloud cloud = wavy_cloud(400, 12);

@@ -192,6 +192,29 @@ BOOST_AUTO_TEST_CASE(parts_that_do_not_touch)
   BOOST_TEST(largest_angle(cloud, both) < .15);
 }
 
+// On tori, many points are equally far from another but for rounding: it doesn't decide which are neighbors.
+BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
+{
+  for(const auto& surface : {test_support::torus(), test_support::torus(1., .4, 24, 12)})
+    for(const auto method : {SC::Point_normal_method::PCA, SC::Point_normal_method::JET})
+    {
+      const auto np = parameters().point_normal_method(method);
+      Cloud cloud = cloud_of(surface.points);
+      run(cloud, np);
+      for(const double factor : {1e6, 3e5, 1e3, 1. / 3., 1e-6})
+      {
+        Cloud other;
+        for(const auto& p : surface.points)
+          other.push_back({Point_3(factor * p[0], factor * p[1], factor * p[2])});
+        run(other, np);
+        double change = 0.;
+        for(std::size_t i = 0; i < cloud.size(); ++i)
+          change = std::max(change, std::sqrt((cloud[i].normal - other[i].normal).squared_length()));
+        BOOST_TEST(change < 1e-12, surface.points.size() << " points times " << factor);
+      }
+    }
+}
+
 BOOST_AUTO_TEST_CASE(order_unit_position_and_threads_do_not_matter)
 {
   const auto surface = test_support::ellipsoid(1., .8, .6, 3, .2);

@@ -145,12 +145,14 @@ private:
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
     const Eigen::Vector3d& values = solver.eigenvalues();
     const double error = internal::rounding_error(p, radius) / radius;
-    const double smallest_gap = 4. * error * values[2];
-    if(!(values[2] - values[1] > smallest_gap && values[1] - values[0] > smallest_gap))
+    // how far the axes may be turned, because the eigenvalues are near to each other
+    const double x_error = 4. * error * values[2] / (values[2] - values[1]),
+                 z_error = 4. * error * values[2] / (values[1] - values[0]);
+    if(!(x_error < 1. && z_error < 1.))
       return Estimation_status::DEGENERATE;
     const Eigen::Vector3d x_line = solver.eigenvectors().col(2), z_line = solver.eigenvectors().col(0);
-    const double x_sign = majority(offsets, x_line, error);
-    double z_sign = majority(offsets, z_line, error);
+    const double x_sign = majority(offsets, x_line, x_error);
+    double z_sign = majority(offsets, z_line, z_error);
     if(z_sign == 0.)
       z_sign = m_surface.normal(i).dot(z_line);
     if(x_sign == 0. || z_sign == 0.)

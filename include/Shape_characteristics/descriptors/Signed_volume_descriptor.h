@@ -32,7 +32,8 @@ namespace Shape_characteristics {
   squared length; free of units, it is divided by \f$ r^2 \f$, and is in [-1, 1].
 
   With `Signed_volume_method::EXTREMA`, these are samples, \f$ P \f$ among them: where \f$ P \f$ itself is extremal, the volume is
-  0. Of equal curvatures the nearest sample counts. With `Signed_volume_method::BINS`, they are the centroids of the parts with
+  0. Where several have the same curvature, to six digits of how much it varies, it is their centroid; so the volume is 0 where
+  the surface is its own mirror image. With `Signed_volume_method::BINS`, they are the centroids of the parts with
   extremal mean curvature, of the 16 in which the ball is divided: 8 by azimuth, 2 by radius. The thesis doesn't say
   how its bins lie in space; here the azimuth begins where the curvature grows, \f$ \sum w (X - P)_t (f - \bar f) \f$ (see
   `Chirality_descriptor`), so that the bins turn with the surface. Parts with less than a quarter of the samples that there
@@ -127,34 +128,42 @@ private:
   static constexpr std::size_t s_minimum = 3; // of neighbors
   static constexpr std::size_t s_half_sectors = 4, s_shells = 2, s_bins = 2 * s_half_sectors * s_shells;
 
-  struct Extremum
+  static constexpr double s_tie = 1e-6; // of the range of the curvature
+
+  // Of places with a curvature, in units of the radius, which `for_each_place` gives to a function as often as it is asked to:
+  // n . (u x v), or 0 if curvatures differ by rounding errors alone.
+  template <typename For_each_place>
+  static double volume(const For_each_place& for_each_place, const Eigen::Vector3d& normal, double unit)
   {
-    double value = std::numeric_limits<double>::quiet_NaN();
-    Eigen::Vector3d offset = Eigen::Vector3d::Zero(); // in units of the radius
-  };
-
-  // the largest and the smallest of what is offered; the first of equal ones
-  struct Extrema
-  {
-    Extremum largest, smallest;
-
-    void offer(double value, const Eigen::Vector3d& offset)
-    {
-      if(!(value <= largest.value))
-        largest = {value, offset};
-      if(!(value >= smallest.value))
-        smallest = {value, offset};
-    }
-
-    // of the box, in units of the radius; 0 if values differ by rounding errors alone
-    double volume(const Eigen::Vector3d& normal, double unit) const
-    {
-      const double size = (std::max)({std::abs(largest.value), std::abs(smallest.value), unit});
-      return largest.value - smallest.value > internal::smallest_share * size
-                 ? normal.dot(largest.offset.cross(smallest.offset))
-                 : 0.;
-    }
-  };
+    double largest = -std::numeric_limits<double>::infinity(), smallest = -largest;
+    for_each_place(
+        [&](const double f, const Eigen::Vector3d&)
+        {
+          largest = (std::max)(largest, f);
+          smallest = (std::min)(smallest, f);
+        });
+    if(!(largest - smallest >
+         internal::smallest_share * (std::max)({std::abs(largest), std::abs(smallest), unit})))
+      return 0.;
+    const double tie = s_tie * (largest - smallest);
+    Eigen::Vector3d u = Eigen::Vector3d::Zero(), v = u;
+    double number_of_largest = 0., number_of_smallest = 0.;
+    for_each_place(
+        [&](const double f, const Eigen::Vector3d& place)
+        {
+          if(f >= largest - tie)
+          {
+            u += place;
+            number_of_largest += 1.;
+          }
+          else if(f <= smallest + tie)
+          {
+            v += place;
+            number_of_smallest += 1.;
+          }
+        });
+    return normal.dot(u.cross(v)) / (number_of_largest * number_of_smallest);
+  }
 
   template <typename Index>
   double volume(std::size_t i,
@@ -164,16 +173,17 @@ private:
                 double unit) const
   {
     const Eigen::Vector3d &p = m_surface.point(i), &n = m_surface.normal(i);
-    Extrema extrema;
     if(m_method == Signed_volume_method::EXTREMA)
-    {
-      if(std::isfinite(f[i]))
-        extrema.offer(f[i], Eigen::Vector3d::Zero());
-      for(const Index j : neighbors)
-        if(std::isfinite(f[j]))
-          extrema.offer(f[j], (m_surface.point(j) - p) / radius);
-      return extrema.volume(n, unit);
-    }
+      return volume(
+          [&](const auto& visit)
+          {
+            if(std::isfinite(f[i]))
+              visit(f[i], Eigen::Vector3d(Eigen::Vector3d::Zero()));
+            for(const Index j : neighbors)
+              if(std::isfinite(f[j]))
+                visit(f[j], Eigen::Vector3d((m_surface.point(j) - p) / radius));
+          },
+          n, unit);
 
     const Eigen::Vector3d x = internal::tangential_moment(m_surface, i, neighbors, radius, f, unit);
     const Eigen::Vector3d y = n.cross(x);
@@ -196,10 +206,14 @@ private:
         bin.count += 1.;
         count += 1.;
       }
-    for(const Bin& bin : bins)
-      if(4. * double(s_bins) * bin.count >= count && bin.count > 0.)
-        extrema.offer(bin.sum / bin.count, bin.offset / bin.count);
-    return extrema.volume(n, unit);
+    return volume(
+        [&](const auto& visit)
+        {
+          for(const Bin& bin : bins)
+            if(4. * double(s_bins) * bin.count >= count && bin.count > 0.)
+              visit(bin.sum / bin.count, Eigen::Vector3d(bin.offset / bin.count));
+        },
+        n, unit);
   }
 
   // The bins on both sides of the x axis are mirror images of each other, and so are their numbers but for the last digit.

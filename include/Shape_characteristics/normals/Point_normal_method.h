@@ -10,7 +10,7 @@ namespace Shape_characteristics {
 */
 enum class Point_normal_method : unsigned char
 {
-  PCA, ///< normal of the plane that fits best (`CGAL::pca_estimate_normals()`): the more robust against noise
+  PCA, ///< normal of the plane that fits best (as `CGAL::pca_estimate_normals()`): the more robust against noise
   JET ///< normal of the quadric that fits best (`CGAL::Monge_via_jet_fitting`, as in `CGAL::jet_estimate_normals()`):
       ///< the more accurate on smooth surfaces; needs 5 neighbors
 };

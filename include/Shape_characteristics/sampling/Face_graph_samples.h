@@ -177,7 +177,7 @@ public:
     }
     else
     {
-      const double radius = reach * m_neighborhood.radius();
+      const double radius = reach * m_neighborhood.reach();
       for(; begin != copied.size(); ++begin)
         if((m_points[begin] - m_points[0]).norm() <= radius)
           copy_neighbors(copied[begin]);
@@ -913,9 +913,9 @@ private:
 
   void collect_ball(std::size_t i, Workspace& workspace) const
   {
-    const double squared_radius = m_neighborhood.radius() * m_neighborhood.radius();
+    const double squared_reach = m_neighborhood.reach() * m_neighborhood.reach();
     const auto in_ball = [&](const Index j)
-    { return (m_points[j] - m_points[i]).squaredNorm() <= squared_radius; };
+    { return (m_points[j] - m_points[i]).squaredNorm() <= squared_reach; };
 
     begin_query(i, workspace);
     add_adjacent(i, workspace, in_ball);

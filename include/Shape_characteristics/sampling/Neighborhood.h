@@ -35,7 +35,7 @@ public:
     return Neighborhood(Kind::RINGS, number_of_rings, 0.);
   }
 
-  /// the samples at a distance of at most `radius`
+  /// the samples at a distance of at most `radius`, to six digits: of those that are as far but for rounding, all
   /// \throws std::invalid_argument if `radius` is not positive and finite
   static Neighborhood ball(double radius)
   {
@@ -56,6 +56,8 @@ public:
   Kind kind() const noexcept { return m_kind; }          ///< what limits the neighborhood
   std::size_t count() const noexcept { return m_count; } ///< number of rings, or of nearest neighbors
   double radius() const noexcept { return m_radius; }    ///< radius of the ball
+  /// what isn't farther away counts as in the ball
+  double reach() const noexcept { return (1. + 0x1p-20) * m_radius; }
 
 private:
   Neighborhood(Kind kind, std::size_t count, double radius) : m_kind(kind), m_count(count), m_radius(radius)

@@ -117,7 +117,7 @@ public:
     if(m_neighborhood.kind() == Neighborhood::Kind::BALL)
     {
       auto in_ball = [&](const Entry& entry) { add(entry.index); };
-      Ball_search<decltype(in_ball)> search{m_neighborhood.radius() * m_neighborhood.radius(), in_ball};
+      Ball_search<decltype(in_ball)> search{m_neighborhood.reach() * m_neighborhood.reach(), in_ball};
       m_tree.search(m_tree.point(i), search);
     }
     else

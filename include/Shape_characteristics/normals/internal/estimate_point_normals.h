@@ -8,11 +8,12 @@
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
+#include <CGAL/Dimension.h>
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/linear_least_squares_fitting_3.h>
 #include <CGAL/mst_orient_normals.h>
-#include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -125,7 +126,7 @@ public:
     constexpr unsigned int no_limit = (std::numeric_limits<int>::max)();
     const bool is_ball = neighborhood.kind() == Neighborhood::Kind::BALL;
     m_k = is_ball ? no_limit : unsigned((std::min)(neighborhood.count(), points.size()));
-    m_radius = is_ball ? neighborhood.radius() : 0.;
+    m_radius = is_ball ? neighborhood.reach() : 0.;
     if(points.size() <= needed || m_k < needed)
       return;
 
@@ -184,19 +185,12 @@ private:
 
   void estimate(Point_normal_method method)
   {
-    if(method == Point_normal_method::PCA)
-    {
-      Indices all(m_points.size());
-      std::iota(all.begin(), all.end(), std::size_t(0));
-      CGAL::pca_estimate_normals<ConcurrencyTag>(all, m_k, parameters());
-    }
-    else
-      for_each_sample<ConcurrencyTag, Jet_workspace>(m_points.size(),
-                                                     [&](const std::size_t i, Jet_workspace& workspace)
-                                                     {
-                                                       if(is_estimated(m_status[i]))
-                                                         m_normals[i] = normal_of_jet(i, workspace);
-                                                     });
+    for_each_sample<ConcurrencyTag, Workspace>(m_points.size(),
+                                               [&](const std::size_t i, Workspace& workspace)
+                                               {
+                                                 if(is_estimated(m_status[i]))
+                                                   m_normals[i] = normal(i, method, workspace);
+                                               });
     for(std::size_t i = 0; i < m_points.size(); ++i)
     {
       const double length = std::sqrt(m_normals[i].squared_length());
@@ -207,21 +201,27 @@ private:
     }
   }
 
-  struct Jet_workspace
+  struct Workspace
   {
     Point_set_samples::Workspace samples;
     std::vector<Point_3> points;
   };
 
-  // What CGAL::jet_estimate_normals() does for a number of neighbors. With a radius it takes the normal at any point of
-  // the ball, for its search doesn't return the center first.
-  Vector_3 normal_of_jet(std::size_t i, Jet_workspace& workspace) const
+  // What CGAL::pca_estimate_normals() and CGAL::jet_estimate_normals() do for a number of neighbors, but that rounding doesn't
+  // decide between neighbors that are equally far. (With a radius, the latter takes the normal at any point of the ball, for
+  // its search doesn't return the center first.)
+  Vector_3 normal(std::size_t i, Point_normal_method method, Workspace& workspace) const
   {
-    CGAL::Monge_via_jet_fitting<Kernel> fit;
     workspace.points.assign(1, m_points[i]);
     for(const auto j : m_samples.neighbors(i, 0, workspace.samples))
       workspace.points.push_back(m_points[j]);
-    return fit(workspace.points.begin(), workspace.points.end(), 2, 1).normal_direction();
+    if(method == Point_normal_method::JET)
+      return CGAL::Monge_via_jet_fitting<Kernel>()(workspace.points.begin(), workspace.points.end(), 2, 1)
+          .normal_direction();
+    Kernel::Plane_3 plane;
+    CGAL::linear_least_squares_fitting_3(workspace.points.begin(), workspace.points.end(), plane,
+                                         CGAL::Dimension_tag<0>());
+    return plane.orthogonal_vector();
   }
 
   // CGAL orients what it reaches from its seeds: each part of the point set needs one.
