@@ -22,7 +22,7 @@
 #include "build_mesh.h"
 #include "build_openmesh.h"
 #include "check_traversal.h"
-#include "seven_digits.h"
+#include "neighbor_key.h"
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
@@ -72,7 +72,7 @@ std::vector<std::set<std::size_t>> adjacency(const Polygon_arrays& a)
 }
 
 // the vertices that are reached from `v` by at most `rings` edges between accepted vertices, nearest first, those that are
-// equally far to seven digits in the lexicographic order of the points
+// equally far to seven digits in the lexicographic order of the points, to six digits
 template <typename Accept>
 Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, const Accept& accept)
 {
@@ -93,9 +93,8 @@ Indices plain_search(const Polygon_arrays& a, std::size_t v, std::size_t rings, 
   Indices result(reached.begin(), reached.end());
   const auto key = [&](const std::size_t i)
   {
-    const Vector d = a.points[i] - a.points[v];
-    return std::make_tuple(seven_digits(d.x * d.x + d.y * d.y + d.z * d.z), a.points[i].x, a.points[i].y,
-                           a.points[i].z);
+    const Vector &p = a.points[v], &q = a.points[i];
+    return test_support::neighbor_key({p.x, p.y, p.z}, {q.x, q.y, q.z});
   };
   std::sort(result.begin(), result.end(),
             [&](const std::size_t i, const std::size_t j) { return key(i) < key(j); });

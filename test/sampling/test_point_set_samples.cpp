@@ -7,7 +7,7 @@
 
 #include "analytic_surfaces.h"
 #include "check_traversal.h"
-#include "seven_digits.h"
+#include "neighbor_key.h"
 
 #include <CGAL/property_map.h>
 
@@ -18,12 +18,10 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <tuple>
 #include <vector>
 
 namespace SC = Shape_characteristics;
 using test_support::Random;
-using test_support::seven_digits;
 using S = SC::Estimation_status;
 using SC::Neighborhood;
 using SC::Point_set_samples;
@@ -61,7 +59,8 @@ std::vector<Point_3> grid(int n)
   return points;
 }
 
-// all other finite points elsewhere, nearest first, those that are equally far to seven digits in lexicographic order
+// all other finite points elsewhere, nearest first, those that are equally far to seven digits in lexicographic order, to
+// six digits
 Indices plain_order(const std::vector<Point_3>& points, std::size_t i)
 {
   const auto is_finite = [](const Point_3& p)
@@ -73,8 +72,8 @@ Indices plain_order(const std::vector<Point_3>& points, std::size_t i)
         others.push_back(Point_set_samples::Index(j));
   const auto key = [&](const std::size_t j)
   {
-    return std::make_tuple(seven_digits(CGAL::squared_distance(points[i], points[j])), points[j].x(),
-                           points[j].y(), points[j].z());
+    const Point_3 &p = points[i], &q = points[j];
+    return test_support::neighbor_key({p.x(), p.y(), p.z()}, {q.x(), q.y(), q.z()});
   };
   std::sort(others.begin(), others.end(),
             [&](const std::size_t a, const std::size_t b) { return key(a) < key(b); });
