@@ -346,10 +346,11 @@ BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
       return std::array<Neighborhood, 2>{Neighborhood::nearest(18), Neighborhood::ball(.4 * factor)};
     };
     for(std::size_t k = 0; k < 2; ++k)
+    {
+      const Point_set_samples samples = samples_of(points_times(1.), neighborhoods_times(1.)[k]);
       for(const double factor : {1e6, 3e5, 1e3, 1. / 3., 1e-6})
       {
-        const Point_set_samples samples = samples_of(points_times(1.), neighborhoods_times(1.)[k]),
-                                others = samples_of(points_times(factor), neighborhoods_times(factor)[k]);
+        const Point_set_samples others = samples_of(points_times(factor), neighborhoods_times(factor)[k]);
         BOOST_TEST((samples.traversal_order() == others.traversal_order()),
                    surface.name << " times " << factor);
         Point_set_samples::Workspace workspace;
@@ -362,6 +363,7 @@ BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
         BOOST_TEST(different == 0u,
                    surface.name << " times " << factor << ": " << different << " neighborhoods");
       }
+    }
   }
 }
 

@@ -3,9 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/Rounded_distance.h>
-#include <Shape_characteristics/internal/Rounded_order.h>
 #include <Shape_characteristics/internal/large_pages.h>
-#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/internal/Kd_tree.h>
 #include <Shape_characteristics/sampling/internal/make_unit.h>
@@ -47,7 +45,7 @@ public:
   class Workspace
   {
     friend class Point_set_samples;
-    std::vector<std::pair<double, Index> > m_nearest;
+    std::vector<internal::Neighbor_order::Key> m_nearest;
     std::vector<Index> m_neighbors;
     internal::Neighbor_order m_order;
   };
@@ -248,7 +246,7 @@ public:
 
 private:
   using Entry = internal::Kd_tree::Entry;
-  using Candidate = std::pair<double, Index>; // rounded squared distance and point
+  using Candidate = internal::Neighbor_order::Key;
 
   static const Neighborhood& checked(const Neighborhood& neighborhood)
   {
@@ -316,12 +314,9 @@ private:
     }
     bool is_before(const Candidate& a, const Candidate& b) const
     {
-      if(a.first != b.first)
-        return a.first < b.first;
-      const Eigen::Vector3d &p = samples.m_tree.point(a.second), &q = samples.m_tree.point(b.second);
-      if(p != q || !samples.has_normals())
-        return internal::Rounded_order(center, samples.m_rounded.length(a.first))(p, q);
-      return internal::lexicographically_smaller(samples.m_normals[a.second], samples.m_normals[b.second]);
+      return internal::Neighbor_order::comes_before(samples, center, samples.m_rounded, a,
+                                                    samples.m_tree.point(a.second), b,
+                                                    samples.m_tree.point(b.second));
     }
   };
 

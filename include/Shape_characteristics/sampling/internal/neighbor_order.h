@@ -23,6 +23,25 @@ namespace internal {
 class Neighbor_order
 {
 public:
+  using Key = std::pair<double, std::uint32_t>; // rounded squared distance and sample
+
+  // whether neighbor `a` of `center`, at `p`, comes before `b`, at `q`
+  template <typename Samples>
+  static bool comes_before(const Samples& samples,
+                           const Eigen::Vector3d& center,
+                           const Rounded_distance& rounded,
+                           const Key& a,
+                           const Eigen::Vector3d& p,
+                           const Key& b,
+                           const Eigen::Vector3d& q)
+  {
+    if(a.first != b.first)
+      return a.first < b.first;
+    if(p != q || !samples.has_normals())
+      return Rounded_order(center, rounded.length(a.first))(p, q);
+    return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
+  }
+
   template <typename Samples>
   void sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors)
   {
@@ -40,13 +59,7 @@ public:
     for(std::size_t k = 0; k < n; ++k)
       m_distances[k] = {rounded(m_squares[k]), neighbors[k]};
     const auto is_before = [&](const Key& a, const Key& b)
-    {
-      if(a.first != b.first)
-        return a.first < b.first;
-      if(samples.point(a.second) != samples.point(b.second) || !samples.has_normals())
-        return Rounded_order(p, rounded.length(a.first))(samples.point(a.second), samples.point(b.second));
-      return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
-    };
+    { return comes_before(samples, p, rounded, a, samples.point(a.second), b, samples.point(b.second)); };
     if(n <= s_most_ranked)
       sort_few(is_before);
     else
@@ -56,7 +69,6 @@ public:
   }
 
 private:
-  using Key = std::pair<double, std::uint32_t>;
   static constexpr int s_index_bits = 6;
   static constexpr std::size_t s_most_ranked = std::size_t(1) << s_index_bits;
 
