@@ -126,12 +126,13 @@ private:
   bool m_is_best = false;
 };
 
-void calibrate(const std::string& file, double scale)
+// `keep`: the constants that the library has of the candidates that don't check normals
+void calibrate(const std::string& file, double scale, bool keep)
 {
   std::vector<Calibration_row> rows;
   Measurements measurements;
   measurements.records = true;
-  for_each_row(Purpose::CALIBRATION, scale, 1, "", measurements,
+  for_each_row(keep ? Purpose::BRIEF_CALIBRATION : Purpose::CALIBRATION, scale, 1, "", measurements,
                [&](Row& row)
                {
                  rows.push_back(calibration_row(row, 300));
@@ -139,9 +140,10 @@ void calibrate(const std::string& file, double scale)
                            << candidate_name(best_candidate(row)) << "\n";
                  std::cout.flush();
                });
-  const Scores scores = learn_scores(rows, std::cout);
+  const Scores kept = scores_of_library();
+  const Scores scores = learn_scores(rows, keep ? &kept : nullptr, std::cout);
   std::ofstream out(file);
-  out << to_header(scores, "benchmark_adaptive_adaptive --calibrate adaptive_scores.h");
+  out << to_header(scores, keep);
   if(!out.flush())
     throw std::runtime_error("cannot write " + file);
 }
@@ -158,12 +160,14 @@ const char* const help =
     "the rows\n"
     "  --shared           with shared fits, too\n"
     "  --calibrate FILE   makes the constants of the library instead, and writes them as a header\n"
+    "  --keep             only those of the fits that check whether normals are exact; the others are as "
+    "they were\n"
     "  --help             this text\n";
 
 int run(int argc, char** argv)
 {
   const benchmark_support::Command_line arguments(
-      argc, argv, {"purpose", "only", "scale", "seed", "calibrate"}, {"quick", "shared", "help"});
+      argc, argv, {"purpose", "only", "scale", "seed", "calibrate"}, {"quick", "shared", "keep", "help"});
   if(arguments.has("help"))
   {
     std::cout << help;
@@ -176,7 +180,7 @@ int run(int argc, char** argv)
     throw std::invalid_argument("--scale must be a positive number");
   if(arguments.has("calibrate"))
   {
-    calibrate(arguments.text("calibrate", ""), scale);
+    calibrate(arguments.text("calibrate", ""), scale, arguments.has("keep"));
     return 0;
   }
   const std::string name = arguments.text("purpose", "validation");

@@ -229,6 +229,8 @@ const std::vector<Analytic_surface>& surfaces()
 
 constexpr std::initializer_list<Choice>
     exact = {Choice::EXACT_2_RINGS, Choice::EXACT_3_RINGS},
+    trusted_normals = {Choice::NORMALS_2_RINGS, Choice::NORMALS_3_RINGS, Choice::CHECKED_2_RINGS,
+                       Choice::CHECKED_3_RINGS},
     positions = {Choice::POINTS_2_RINGS,         Choice::POINTS_3_RINGS,   Choice::POINTS_4_RINGS,
                  Choice::SMOOTHED_3_RINGS,       Choice::SMOOTHED_4_RINGS, Choice::GENTLY_SMOOTHED_4_RINGS,
                  Choice::BARELY_SMOOTHED_4_RINGS},
@@ -254,7 +256,7 @@ BOOST_AUTO_TEST_CASE(choices_and_errors)
           {
             const double of_trusted_normals = hrbf_with_trusted_normals(data, noise);
             BOOST_TEST_MESSAGE("with trusted normals " << of_trusted_normals);
-            BOOST_TEST(a.share({Choice::NORMALS_2_RINGS, Choice::NORMALS_3_RINGS}) > .5);
+            BOOST_TEST(a.share(trusted_normals) > .5);
             BOOST_TEST(a.error < 1.1 * of_trusted_normals);
           }
           else
@@ -270,6 +272,23 @@ BOOST_AUTO_TEST_CASE(choices_and_errors)
           BOOST_TEST(a.error < 1.25 * of_exact_fit);
           BOOST_TEST(a.error < (noise > 0. ? 1. : 1.25) * of_others);
         }
+}
+
+// Of a surface with a few samples to each bend and exact normals nobody can tell noise from shape but by the normals.
+BOOST_AUTO_TEST_CASE(few_samples_to_each_bend)
+{
+  const Analytic_surface s = test_support::waves(.05, 25., 1., 36, .3, 5);
+  for(const double noise : {.01, .03})
+  {
+    const Data data(s, Given::EXACT, noise);
+    const Answer a = adaptive(data);
+    const double best =
+        (std::min)({hrbf(data, true, 2), hrbf(data, true, 3), hrbf(data, false, 2), hrbf(data, false, 3)});
+    BOOST_TEST_MESSAGE("noise " << noise << ": mean error " << a.error << ", of the best one " << best
+                                << ", checked "
+                                << a.share({Choice::CHECKED_2_RINGS, Choice::CHECKED_3_RINGS}));
+    BOOST_TEST(a.error < 1.2 * best);
+  }
 }
 
 // On the whole the blend is nearer to the truth than, at each vertex, the estimator with the largest weight alone.

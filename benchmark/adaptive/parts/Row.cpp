@@ -43,7 +43,7 @@ std::vector<Conditions> conditions(const Surface& surface, Purpose purpose)
   for(const double noise : {.01, .03, .1})
     for(const char* normals : {"exact", "Max"})
       list.push_back({normals, noise, 0.});
-  if(purpose == Purpose::CALIBRATION)
+  if(purpose == Purpose::CALIBRATION || purpose == Purpose::BRIEF_CALIBRATION)
   {
     list.push_back({"noisy", 0., .003});
     list.push_back({"noisy", .03, .03});
@@ -54,6 +54,19 @@ std::vector<Conditions> conditions(const Surface& surface, Purpose purpose)
     list.push_back({"Max", .2, 0.});
   }
   return list;
+}
+
+double mean_error(const std::vector<Vertex_record>& vertices, std::size_t candidate)
+{
+  double sum = 0.;
+  std::size_t number = 0;
+  for(const Vertex_record& v : vertices)
+    if(std::isfinite(v.errors[candidate].k_max))
+    {
+      sum += v.errors[candidate].sum();
+      ++number;
+    }
+  return sum / double(number);
 }
 
 namespace {
@@ -112,19 +125,9 @@ void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_c
   for(std::size_t c = 0; c < number_of_candidates; ++c)
   {
     const SC::internal::Fitted_field& field = statistics.field(SC::Adaptive_estimator_choice(c));
-    double sum = 0.;
-    std::size_t number = 0;
     for(std::size_t i = 0; i < exact.size(); ++i)
-    {
-      const Vertex_record::Error e = error(field[i].estimate(), exact[i]);
-      row.vertices[i].errors[c] = e;
-      if(std::isfinite(e.k_max))
-      {
-        sum += e.sum();
-        ++number;
-      }
-    }
-    row.mean_errors.push_back(sum / double(number));
+      row.vertices[i].errors[c] = error(field[i].estimate(), exact[i]);
+    row.mean_errors.push_back(mean_error(row.vertices, c));
   }
 }
 
@@ -142,13 +145,13 @@ double mean_error(const Mesh& mesh, const Estimates& estimates, const std::vecto
   return sum / double(number);
 }
 
-// `is_tried(number, conditions)`: whether to try the surface in these conditions, the `number`-th in all
+// `is_tried(number, surface, conditions)`: whether to try the surface in these conditions, the `number`-th in all
 void for_each_row(Purpose purpose,
                   double scale,
                   std::uint64_t seed,
                   const std::string& only,
                   const Measurements& measurements,
-                  const std::function<bool(std::size_t, const Conditions&)>& is_tried,
+                  const std::function<bool(std::size_t, const Surface&, const Conditions&)>& is_tried,
                   const std::function<void(Row&)>& report)
 {
   std::size_t number = 0;
@@ -163,7 +166,7 @@ void for_each_row(Purpose purpose,
       exact.push_back(surface.exact(p));
     for(const Conditions& c : conditions(surface, purpose))
     {
-      if(!is_tried(++number, c))
+      if(!is_tried(++number, surface, c))
         continue;
       Triangle_arrays arrays = clean;
       if(c.point_noise > 0.)
@@ -203,21 +206,33 @@ void for_each_row(Purpose purpose,
                   const Measurements& measurements,
                   const std::function<void(Row&)>& report)
 {
-  if(purpose != Purpose::CALIBRATION)
+  const auto with = [&](const double size,
+                        const std::function<bool(std::size_t, const Surface&, const Conditions&)>& is_tried)
+  { for_each_row(purpose, size * scale, seed, only, measurements, is_tried, report); };
+  const auto is_clean = [](const Conditions& c) { return c.point_noise == 0. && c.normal_noise == 0.; };
+  switch(purpose)
   {
-    const auto all = [](std::size_t, const Conditions&) { return true; };
-    for_each_row(purpose, scale, seed, only, measurements, all, report);
-    return;
+  case Purpose::CALIBRATION:
+    // There are many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
+    // look otherwise.
+    for(const bool is_coarse : {false, true})
+      with(is_coarse ? .3 : 1., [&](const std::size_t number, const Surface&, const Conditions& c)
+           { return (number % 2 == 0) == is_coarse || is_clean(c); });
+    break;
+  case Purpose::BRIEF_CALIBRATION:
+    // half of the conditions, but of noisy level sets, which take longest, a quarter
+    for(const bool is_coarse : {false, true})
+      with(is_coarse ? .25 : .5,
+           [&](const std::size_t number, const Surface& surface, const Conditions& c)
+           {
+             if(is_clean(c))
+               return (number % 2 == 0) == is_coarse;
+             return surface.is_graph ? (number % 4 < 2) == is_coarse : number % 4 == (is_coarse ? 0u : 2u);
+           });
+    break;
+  default:
+    with(1., [](std::size_t, const Surface&, const Conditions&) { return true; });
   }
-  // There are many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
-  // look otherwise.
-  constexpr double coarse = .3;
-  for(const bool is_coarse : {false, true})
-    for_each_row(
-        purpose, is_coarse ? coarse * scale : scale, seed, only, measurements,
-        [is_coarse](const std::size_t number, const Conditions& c)
-        { return (number % 2 == 0) == is_coarse || (c.point_noise == 0. && c.normal_noise == 0.); },
-        report);
 }
 
 } // namespace adaptive

@@ -47,6 +47,9 @@ struct Vertex_record
   std::array<Error, number_of_candidates> errors;
 };
 
+/// The mean error of a candidate, where there is an estimate.
+double mean_error(const std::vector<Vertex_record>& vertices, std::size_t candidate);
+
 /// A surface in certain conditions: a row of a table.
 struct Row
 {

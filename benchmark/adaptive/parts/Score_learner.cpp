@@ -1,5 +1,7 @@
 #include "Score_learner.h"
 
+#include <Shape_characteristics/curvature/internal/adaptive_scores.h>
+
 #include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
@@ -22,21 +24,24 @@ constexpr auto features = Eigen::Index(number_of_statistics + 1); // the constan
 constexpr auto candidates = Eigen::Index(number_of_candidates);
 
 constexpr std::array<const char*, number_of_statistics> statistic_names = {
-    "EXACT_2_ANGLES",        "EXACT_3_ANGLES",      "POINTS_2_ANGLES",
-    "POINTS_3_ANGLES",       "POINTS_4_ANGLES",     "NORMALS_2_ANGLES",
-    "NORMALS_3_ANGLES",      "SMOOTHED_3_ANGLES",   "SMOOTHED_4_ANGLES",
-    "GENTLY_4_ANGLES",       "BARELY_4_ANGLES",     "EXACT_2_TURNS",
-    "EXACT_3_TURNS",         "POINTS_2_TURNS",      "POINTS_3_TURNS",
-    "POINTS_4_TURNS",        "NORMALS_2_TURNS",     "NORMALS_3_TURNS",
-    "SMOOTHED_3_TURNS",      "SMOOTHED_4_TURNS",    "GENTLY_4_TURNS",
-    "BARELY_4_TURNS",        "EXACT_2_EXACT_3",     "POINTS_2_POINTS_3",
-    "POINTS_3_POINTS_4",     "EXACT_3_POINTS_3",    "EXACT_2_NORMALS_2",
-    "NORMALS_2_NORMALS_3",   "EXACT_3_NORMALS_3",   "POINTS_3_NORMALS_3",
-    "POINTS_3_SMOOTHED_3",   "POINTS_4_SMOOTHED_4", "NORMALS_3_SMOOTHED_3",
-    "SMOOTHED_3_SMOOTHED_4", "SMOOTHED_3_GENTLY_4", "SMOOTHED_4_GENTLY_4",
-    "GENTLY_4_BARELY_4",     "POINTS_4_BARELY_4",   "POINTS_3_NORMALS",
-    "SMOOTHED_3_NORMALS",    "POINTS_3_BEND",       "SMOOTHED_3_BEND",
-    "SMOOTHED_3_MOVES",      "SMOOTHED_3_DRIFT",    "NOISE",
+    "EXACT_2_ANGLES",       "EXACT_3_ANGLES",        "POINTS_2_ANGLES",
+    "POINTS_3_ANGLES",      "POINTS_4_ANGLES",       "NORMALS_2_ANGLES",
+    "NORMALS_3_ANGLES",     "SMOOTHED_3_ANGLES",     "SMOOTHED_4_ANGLES",
+    "GENTLY_4_ANGLES",      "BARELY_4_ANGLES",       "CHECKED_2_ANGLES",
+    "CHECKED_3_ANGLES",     "EXACT_2_TURNS",         "EXACT_3_TURNS",
+    "POINTS_2_TURNS",       "POINTS_3_TURNS",        "POINTS_4_TURNS",
+    "NORMALS_2_TURNS",      "NORMALS_3_TURNS",       "SMOOTHED_3_TURNS",
+    "SMOOTHED_4_TURNS",     "GENTLY_4_TURNS",        "BARELY_4_TURNS",
+    "CHECKED_2_TURNS",      "CHECKED_3_TURNS",       "EXACT_2_EXACT_3",
+    "POINTS_2_POINTS_3",    "POINTS_3_POINTS_4",     "EXACT_3_POINTS_3",
+    "EXACT_2_NORMALS_2",    "NORMALS_2_NORMALS_3",   "EXACT_3_NORMALS_3",
+    "POINTS_3_NORMALS_3",   "POINTS_3_SMOOTHED_3",   "POINTS_4_SMOOTHED_4",
+    "NORMALS_3_SMOOTHED_3", "SMOOTHED_3_SMOOTHED_4", "SMOOTHED_3_GENTLY_4",
+    "SMOOTHED_4_GENTLY_4",  "GENTLY_4_BARELY_4",     "POINTS_4_BARELY_4",
+    "CHECKED_2_CHECKED_3",  "CHECKED_3_POINTS_3",    "CHECKED_2_NORMALS_2",
+    "CHECKED_3_NORMALS_3",  "EXACT_3_CHECKED_3",     "POINTS_3_NORMALS",
+    "SMOOTHED_3_NORMALS",   "POINTS_3_BEND",         "SMOOTHED_3_BEND",
+    "SMOOTHED_3_MOVES",     "SMOOTHED_3_DRIFT",      "NOISE",
     "IRREGULARITY"};
 
 float exactness_of(const std::array<float, number_of_statistics>& s)
@@ -46,6 +51,7 @@ float exactness_of(const std::array<float, number_of_statistics>& s)
 }
 
 constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::EXACT_3_RINGS);
+constexpr auto first_checked = std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_2_RINGS);
 
 using Matrix = Eigen::MatrixXd;
 
@@ -60,12 +66,13 @@ struct Data
 /*
   Minimizes, over the weights, the mean of the logarithms of the rows' errors, and of the squares of what they exceed that of
   the row's best candidate by, if at each vertex the candidates are blended in proportion to exp(-score): by gradients (Adam's
-  method), for all rows but those of a part.
+  method), for all rows but those of a part. Where the weights of the other candidates are kept, those of the checked ones start
+  somewhat worse than those of normals that are trusted.
 */
 class Learner
 {
 public:
-  explicit Learner(const std::vector<Calibration_row>& rows) : m_rows(rows)
+  Learner(const std::vector<Calibration_row>& rows, const Scores* kept) : m_rows(rows), m_kept(kept)
   {
     std::map<std::string, std::size_t> groups;
     for(const Calibration_row& row : rows)
@@ -94,6 +101,11 @@ public:
       m_data.push_back(std::move(data));
     }
     normalize();
+    if(kept != nullptr)
+    {
+      m_exactness = kept->exactness;
+      return;
+    }
     // where normals are exact beyond doubt: as many vertices as cost nearly nothing
     for(double exactness = -3.; exactness <= 0.; exactness += .05)
       if(cost_of_gate(exactness) < .002)
@@ -106,21 +118,27 @@ public:
   Scores learn(std::size_t left_out) const
   {
     constexpr int steps = 2000;
-    constexpr double decay = .995, shrinkage = 5e-6;
-    Matrix weights = Matrix::Zero(features, candidates), mean = weights, square = weights;
+    constexpr double decay = .995;
+    const double shrinkage = m_kept == nullptr ? 5e-6 : 1e-4;
+    const Matrix start = start_weights();
+    const auto kept = m_kept == nullptr ? Eigen::Index(0) : Eigen::Index(first_checked);
+    Matrix weights = start, mean = Matrix::Zero(features, candidates), square = mean;
     std::size_t number = 0;
     for(const Data& data : m_data)
       number += data.part != left_out;
     double rate = .1, mean_share = 1., square_share = 1.;
     for(int step = 0; step < steps; ++step)
     {
-      const Matrix gradient = shrinkage * weights + sum_of_gradients(left_out, weights) / double(number);
+      const Matrix gradient =
+          shrinkage * (weights - start) + sum_of_gradients(left_out, weights) / double(number);
       mean = .9 * mean + .1 * gradient;
       square = .99 * square + .01 * gradient.cwiseAbs2();
       mean_share *= .9;
       square_share *= .99;
-      weights.array() -=
-          rate * (mean.array() / (1. - mean_share)) / ((square.array() / (1. - square_share)).sqrt() + 1e-10);
+      const Matrix way = (rate * (mean.array() / (1. - mean_share)) /
+                          ((square.array() / (1. - square_share)).sqrt() + 1e-10))
+                             .matrix();
+      weights.rightCols(candidates - kept) -= way.rightCols(candidates - kept);
       rate = (std::max)(rate * decay, .01);
     }
     // in units of the statistics themselves
@@ -144,6 +162,30 @@ public:
   }
 
 private:
+  // in units of the deviations: zero, or what is kept
+  Matrix start_weights() const
+  {
+    using Choice = Shape_characteristics::Adaptive_estimator_choice;
+    Matrix weights = Matrix::Zero(features, candidates);
+    if(m_kept == nullptr)
+      return weights;
+    for(std::size_t c = 0; c < number_of_candidates; ++c)
+    {
+      const std::size_t from = c < first_checked    ? c
+                               : c == first_checked ? std::size_t(Choice::NORMALS_2_RINGS)
+                                                    : std::size_t(Choice::NORMALS_3_RINGS);
+      const auto column = Eigen::Index(c);
+      weights(0, column) = m_kept->weights[0][from] + (c < first_checked ? 0. : 1.);
+      for(std::size_t k = 0; k < m_kept->statistics.size(); ++k)
+      {
+        const auto f = Eigen::Index(m_kept->statistics[k] + 1);
+        weights(f, column) = m_kept->weights[k + 1][from] * m_deviation[f];
+        weights(0, column) += m_kept->weights[k + 1][from] * m_mean[f];
+      }
+    }
+    return weights;
+  }
+
   void normalize()
   {
     m_mean = Eigen::VectorXd::Zero(features);
@@ -226,6 +268,7 @@ private:
   }
 
   const std::vector<Calibration_row>& m_rows;
+  const Scores* m_kept;
   std::vector<Data> m_data;
   Eigen::VectorXd m_mean, m_deviation;
   double m_exactness = -1e3;
@@ -245,10 +288,12 @@ Calibration_row calibration_row(const Row& row, std::size_t at_most)
   result.group = row.surface.substr(0, row.surface.find(" random"));
   for(const char* tessellation : {" grid", " exact cubes", " original cubes"})
     result.group = result.group.substr(0, result.group.find(tessellation));
-  result.best_error = row.mean_errors[best_candidate(row)];
   const std::size_t step = (std::max)(row.vertices.size() / at_most, std::size_t(1));
   for(std::size_t k = 0; k < row.vertices.size(); k += step)
     result.vertices.push_back(row.vertices[k]);
+  result.best_error = std::numeric_limits<double>::infinity();
+  for(std::size_t c = 0; c < number_of_candidates; ++c)
+    result.best_error = (std::min)(result.best_error, mean_error(result.vertices, c));
   return result;
 }
 
@@ -289,9 +334,20 @@ double excess(const Scores& scores, const Calibration_row& row)
   return sum / double(row.vertices.size());
 }
 
-Scores learn_scores(const std::vector<Calibration_row>& rows, std::ostream& log)
+Scores scores_of_library()
 {
-  const Learner learner(rows);
+  namespace internal = Shape_characteristics::internal;
+  Scores scores;
+  scores.exactness = internal::adaptive_exactness;
+  for(const internal::Adaptive_statistic s : internal::adaptive_score_statistics)
+    scores.statistics.push_back(std::size_t(s));
+  scores.weights.assign(internal::adaptive_score_weights.begin(), internal::adaptive_score_weights.end());
+  return scores;
+}
+
+Scores learn_scores(const std::vector<Calibration_row>& rows, const Scores* kept, std::ostream& log)
+{
+  const Learner learner(rows, kept);
   double sum = 0.;
   std::size_t missed = 0;
   for(std::size_t part = 0; part < Learner::parts; ++part)
@@ -321,7 +377,7 @@ Scores learn_scores(const std::vector<Calibration_row>& rows, std::ostream& log)
   return scores;
 }
 
-std::string to_header(const Scores& scores, const std::string& command)
+std::string to_header(const Scores& scores, bool some_kept)
 {
   const auto text = [](const double x)
   {
@@ -336,9 +392,12 @@ std::string to_header(const Scores& scores, const std::string& command)
          "#include <array>\n#include <cstddef>\n\n"
          "namespace Shape_characteristics {\nnamespace internal {\n\n"
          "// The constants of adaptive_curvatures(), learned from surfaces whose curvature is known. Not "
-         "written by hand: "
-         "they are the\n// output of\n//   "
-      << command
+         "written by hand: they are the\n// output of\n//   benchmark_adaptive_adaptive --calibrate "
+         "adaptive_scores.h"
+      << (some_kept ? " --keep\n// as for CHECKED_2_RINGS and CHECKED_3_RINGS; the others, and the "
+                      "exactness, are of an "
+                      "earlier one without --keep."
+                    : "")
       << "\n\n// where EXACT_3_ANGLES - POINTS_3_ANGLES is less, EXACT_3_RINGS is chosen\n"
          "inline constexpr double adaptive_exactness = "
       << text(scores.exactness)

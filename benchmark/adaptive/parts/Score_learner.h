@@ -25,7 +25,7 @@ struct Scores
 struct Calibration_row
 {
   std::string group; ///< the surface: rows of one never judge what was learned from others of it
-  double best_error; ///< mean error of the candidate that is best for the row
+  double best_error; ///< mean error of the candidate that is best for these vertices
   std::vector<Vertex_record> vertices;
 };
 
@@ -41,12 +41,16 @@ Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex);
 /// How much larger than that of the best candidate the mean error of the blend is.
 double excess(const Scores& scores, const Calibration_row& row);
 
-/// Learns the constants: those under which the mean over the rows of the logarithm of the error is least. `log` is told how well they
-/// do, and how well those do that are learned without the surfaces that they are tried on.
-Scores learn_scores(const std::vector<Calibration_row>& rows, std::ostream& log);
+/// The constants that the library has.
+Scores scores_of_library();
 
-/// The constants as the header that the library includes.
-std::string to_header(const Scores& scores, const std::string& command);
+/// Learns the constants: those under which the mean over the rows of the logarithm of the error is least. Of those that are
+/// `kept`, only the candidates that check normals get new ones; null pointer: all do. `log` is told how well they do, and how
+/// well those do that are learned without the surfaces that they are tried on.
+Scores learn_scores(const std::vector<Calibration_row>& rows, const Scores* kept, std::ostream& log);
+
+/// The constants as the header that the library includes. `some_kept`: those of candidates that don't check normals weren't learned.
+std::string to_header(const Scores& scores, bool some_kept);
 
 } // namespace adaptive
 

@@ -54,7 +54,7 @@ void add_graph(std::vector<Surface>& list,
                     mesh.triangles = benchmark_support::delaunay_triangles(mesh.points);
                     return mesh;
                   },
-                  exact});
+                  exact, true});
   list.push_back({name + " grid",
                   [=](std::uint64_t)
                   {
@@ -73,7 +73,7 @@ void add_graph(std::vector<Surface>& list,
                       }
                     return mesh;
                   },
-                  exact});
+                  exact, true});
 }
 
 /// F(x, y, z) = 0, outside where it is positive, by marching cubes; `tolerance`: of F, if the crossing is exact
@@ -156,7 +156,7 @@ private:
 std::vector<Surface> calibration(double scale)
 {
   std::vector<Surface> list;
-  const double n = 1250. * scale, m = 24. * std::sqrt(scale);
+  const double n = 1250. * scale, m = std::round(24. * std::sqrt(scale));
   add_graph(list, "bell", 2., n, [](const Number& x, const Number& y) { return exp(-(x * x + y * y)); });
   add_graph(list, "waves", 2., n,
             [](const Number& x, const Number& y) { return .3 * sin(2. * x) * cos(1.5 * y) + .1 * x * y; });
@@ -356,7 +356,7 @@ std::vector<Surface> tables(double scale)
                         return is_random ? random_tessellation(f, points, seed)
                                          : grid_tessellation(f, std::size_t(std::sqrt(double(points))));
                       },
-                      [f](const Vector& p) { return f.exact(p.x, p.y); }, is_random});
+                      [f](const Vector& p) { return f.exact(p.x, p.y); }, true, is_random});
   for(const bool is_exact : {true, false})
     for(const benchmark_support::Implicit_function& f : benchmark_support::implicit_functions())
       list.push_back({f.name + (is_exact ? " exact cubes" : " original cubes"),
@@ -364,7 +364,7 @@ std::vector<Surface> tables(double scale)
                         return marching_cubes_tessellation(
                             f, samples, is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
                       },
-                      [f](const Vector& p) { return f.exact(p); }, f.name == "f1i" && is_exact});
+                      [f](const Vector& p) { return f.exact(p); }, false, f.name == "f1i" && is_exact});
   return list;
 }
 
@@ -372,10 +372,19 @@ std::vector<Surface> tables(double scale)
 
 std::vector<Surface> surfaces(Purpose purpose, double scale)
 {
-  return purpose == Purpose::CALIBRATION ? calibration(scale)
-         : purpose == Purpose::TABLES    ? tables(scale)
-         : purpose == Purpose::SHAPES    ? shapes(scale)
-                                         : validation(scale);
+  switch(purpose)
+  {
+  case Purpose::CALIBRATION:
+  case Purpose::BRIEF_CALIBRATION:
+    return calibration(scale);
+  case Purpose::TABLES:
+    return tables(scale);
+  case Purpose::SHAPES:
+    return shapes(scale);
+  case Purpose::VALIDATION:
+    break;
+  }
+  return validation(scale);
 }
 
 } // namespace adaptive

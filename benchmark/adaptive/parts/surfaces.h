@@ -12,11 +12,13 @@
 
 namespace adaptive {
 
-/// Which surfaces: those whose errors the constants of adaptive_curvatures() are made from, those of the thesis's tables,
-/// further ones, and those of technical parts. Only the first have a part in the constants.
+/// Which surfaces: those whose errors the constants of adaptive_curvatures() are made from, the same with fewer vertices and in fewer
+/// conditions, where few constants are, those of the thesis's tables, further ones, and those of technical parts. Only the
+/// first two have a part in the constants.
 enum class Purpose
 {
   CALIBRATION,
+  BRIEF_CALIBRATION,
   TABLES,
   VALIDATION,
   SHAPES
@@ -28,6 +30,7 @@ struct Surface
   std::string name;
   std::function<benchmark_support::Triangle_arrays(std::uint64_t seed)> mesh;
   std::function<benchmark_support::Exact_curvature(const benchmark_support::Vector&)> exact;
+  bool is_graph = false;      ///< of a function, by random points or a grid
   bool is_noise_added = true; ///< in the experiments with noise
 };
 

@@ -9,8 +9,8 @@ namespace Shape_characteristics {
 /// through all points, where there is one
 enum class Adaptive_estimator_choice : unsigned char
 {
-  EXACT_2_RINGS,  ///< points and normals are exact; two rings (18 neighbors)
-  EXACT_3_RINGS,  ///< points and normals are exact; three rings (36 neighbors)
+  EXACT_2_RINGS,  ///< points and normals are exact, whatever they are; two rings (18 neighbors)
+  EXACT_3_RINGS,  ///< points and normals are exact, whatever they are; three rings (36 neighbors)
   POINTS_2_RINGS, ///< points are exact, normals are weak evidence; two rings
   POINTS_3_RINGS, ///< points are exact, normals are weak evidence; three rings
   POINTS_4_RINGS, ///< points are exact and the surface is smooth, normals are weak evidence; four rings (60 neighbors)
@@ -22,8 +22,10 @@ enum class Adaptive_estimator_choice : unsigned char
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
   BARELY_SMOOTHED_4_RINGS, ///< points have a hundredth of the noise, and are not smoothed before the fit; four rings
-  QUADRIC, ///< the sample and its neighbors (two rings, or 18) lie on a quadric, to eight digits
-  NONE     ///< there is no estimate
+  CHECKED_2_RINGS, ///< as `hrbf_curvatures()` where `normals_are_exact`: they are as exact as they agree with the points; two rings
+  CHECKED_3_RINGS, ///< as `CHECKED_2_RINGS`, with three rings
+  QUADRIC,         ///< the sample and its neighbors (two rings, or 18) lie on a quadric, to eight digits
+  NONE             ///< there is no estimate
 };
 
 /// \ingroup PkgShapeCharacteristicsCurvature
@@ -54,6 +56,10 @@ constexpr const char* to_string(Adaptive_estimator_choice choice) noexcept
     return "GENTLY_SMOOTHED_4_RINGS";
   case Adaptive_estimator_choice::BARELY_SMOOTHED_4_RINGS:
     return "BARELY_SMOOTHED_4_RINGS";
+  case Adaptive_estimator_choice::CHECKED_2_RINGS:
+    return "CHECKED_2_RINGS";
+  case Adaptive_estimator_choice::CHECKED_3_RINGS:
+    return "CHECKED_3_RINGS";
   case Adaptive_estimator_choice::QUADRIC:
     return "QUADRIC";
   case Adaptive_estimator_choice::NONE:

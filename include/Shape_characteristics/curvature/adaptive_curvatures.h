@@ -101,7 +101,7 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
 
   Complexity: linear in the number of vertices. A quadric takes some microseconds on one processor. Where there is none and normals
   are exact beyond doubt, two fits are made at a vertex: tens of microseconds. Elsewhere, and some rings around, it is up to
-  seventeen, half of them over four rings: milliseconds. The results of eleven of them are kept at the same time, which takes some
+  nineteen, eight of them over four rings: milliseconds. The results of thirteen of them are kept at the same time, which takes some
   two kilobytes a vertex.
 
   \cgalExample{curvature/adaptive_curvatures.cpp}

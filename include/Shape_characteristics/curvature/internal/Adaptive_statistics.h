@@ -78,6 +78,8 @@ enum class Adaptive_statistic : unsigned char
   SMOOTHED_4_ANGLES,
   GENTLY_4_ANGLES,
   BARELY_4_ANGLES,
+  CHECKED_2_ANGLES,
+  CHECKED_3_ANGLES,
   // the second one, as an angle, too
   EXACT_2_TURNS,
   EXACT_3_TURNS,
@@ -90,6 +92,8 @@ enum class Adaptive_statistic : unsigned char
   SMOOTHED_4_TURNS,
   GENTLY_4_TURNS,
   BARELY_4_TURNS,
+  CHECKED_2_TURNS,
+  CHECKED_3_TURNS,
   // differences of the shape operators of two fits
   EXACT_2_EXACT_3,
   POINTS_2_POINTS_3,
@@ -107,6 +111,11 @@ enum class Adaptive_statistic : unsigned char
   SMOOTHED_4_GENTLY_4,
   GENTLY_4_BARELY_4,
   POINTS_4_BARELY_4,
+  CHECKED_2_CHECKED_3,
+  CHECKED_3_POINTS_3,
+  CHECKED_2_NORMALS_2,
+  CHECKED_3_NORMALS_3,
+  EXACT_3_CHECKED_3,
   // angles between the given normals and those of a fit
   POINTS_3_NORMALS,
   SMOOTHED_3_NORMALS,
@@ -236,8 +245,14 @@ public:
       case Choice::GENTLY_SMOOTHED_4_RINGS:
         field = fit_inexact(4, noise_level(.1), default_normal_noise(), smoothing_passes);
         break;
-      default:
+      case Choice::BARELY_SMOOTHED_4_RINGS:
         field = fit_inexact(4, noise_level(.01), default_normal_noise(), 1);
+        break;
+      case Choice::CHECKED_2_RINGS:
+        field = fit(2, parameters::normals_are_exact(true));
+        break;
+      default:
+        field = fit(3, parameters::normals_are_exact(true));
       }
     }
     return field;
@@ -371,6 +386,16 @@ private:
       return differences(Choice::GENTLY_SMOOTHED_4_RINGS, Choice::BARELY_SMOOTHED_4_RINGS);
     case Name::POINTS_4_BARELY_4:
       return differences(Choice::POINTS_4_RINGS, Choice::BARELY_SMOOTHED_4_RINGS);
+    case Name::CHECKED_2_CHECKED_3:
+      return differences(Choice::CHECKED_2_RINGS, Choice::CHECKED_3_RINGS);
+    case Name::CHECKED_3_POINTS_3:
+      return differences(Choice::CHECKED_3_RINGS, Choice::POINTS_3_RINGS);
+    case Name::CHECKED_2_NORMALS_2:
+      return differences(Choice::CHECKED_2_RINGS, Choice::NORMALS_2_RINGS);
+    case Name::CHECKED_3_NORMALS_3:
+      return differences(Choice::CHECKED_3_RINGS, Choice::NORMALS_3_RINGS);
+    case Name::EXACT_3_CHECKED_3:
+      return differences(Choice::EXACT_3_RINGS, Choice::CHECKED_3_RINGS);
     case Name::POINTS_3_NORMALS:
       return normals(Choice::POINTS_3_RINGS);
     case Name::SMOOTHED_3_NORMALS:
