@@ -9,8 +9,8 @@ namespace Shape_characteristics {
 /// through all points, where there is one
 enum class Adaptive_estimator_choice : unsigned char
 {
-  EXACT_2_RINGS,  ///< points and normals are exact, whatever they are; two rings (18 neighbors)
-  EXACT_3_RINGS,  ///< points and normals are exact, whatever they are; three rings (36 neighbors)
+  EXACT_2_RINGS,  ///< points and normals are taken for exact, unchecked; two rings (18 neighbors)
+  EXACT_3_RINGS,  ///< points and normals are taken for exact, unchecked; three rings (36 neighbors)
   POINTS_2_RINGS, ///< points are exact, normals are weak evidence; two rings
   POINTS_3_RINGS, ///< points are exact, normals are weak evidence; three rings
   POINTS_4_RINGS, ///< points are exact and the surface is smooth, normals are weak evidence; four rings (60 neighbors)
@@ -22,7 +22,7 @@ enum class Adaptive_estimator_choice : unsigned char
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
   BARELY_SMOOTHED_4_RINGS, ///< points have a hundredth of the noise, and are not smoothed before the fit; four rings
-  CHECKED_2_RINGS, ///< as `hrbf_curvatures()` where `normals_are_exact`: they are as exact as they agree with the points; two rings
+  CHECKED_2_RINGS, ///< as `hrbf_curvatures()` where `normals_are_exact`: they are, as far as they agree with the points; two rings
   CHECKED_3_RINGS, ///< as `CHECKED_2_RINGS`, with three rings
   QUADRIC,         ///< the sample and its neighbors (two rings, or 18) lie on a quadric, to eight digits
   NONE             ///< there is no estimate
