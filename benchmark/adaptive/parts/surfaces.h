@@ -12,9 +12,9 @@
 
 namespace adaptive {
 
-/// Which surfaces: those whose errors the constants of adaptive_curvatures() are made from, the same with fewer vertices and in fewer
-/// conditions, where few constants are, those of the thesis's tables, further ones, and those of technical parts. Only the
-/// first two have a part in the constants.
+/// Which surfaces: those from whose errors the constants of adaptive_curvatures() are learned; the same with fewer vertices and in fewer
+/// conditions, from which a few of the constants are; those of the thesis's tables, further ones, and those of technical parts.
+/// Only the first two have a part in the constants.
 enum class Purpose
 {
   CALIBRATION,
