@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -231,7 +232,9 @@ void measure_threads(Session& session, const Options& options)
 // run, free memory goes back to where it may be slow to come from, as the host of a virtual machine.
 void measure_sizes(Session& session, const Options& options)
 {
-  constexpr std::size_t large = 100000;
+  const std::size_t most_for_slow_ones = options.full    ? std::numeric_limits<std::size_t>::max()
+                                         : options.quick ? 0
+                                                         : 100000;
   const int repetitions = std::min(options.repetitions, 3);
   std::vector<std::shared_ptr<Workload> > workloads;
   for(const std::size_t points : options.sizes)
@@ -243,7 +246,7 @@ void measure_sizes(Session& session, const Options& options)
       for(const Estimator& e : estimators())
         for(const unsigned int threads : {1u, options.threads})
           if((e.label() == label_with_goal) == has_goal &&
-             (!e.is_slow || workload->size() <= large || options.full))
+             (!e.is_slow || workload->size() <= most_for_slow_ones))
             add(session, "sizes", e, workload, "f1e", Order::CURVE, threads);
     if(has_goal)
       measure_threads(session, options);
@@ -295,8 +298,8 @@ const char* const help =
     "  --threads N       what the sizes are run with besides one thread (2)\n"
     "  --repetitions N   of the comparison; surfaces, cost and sizes have 3 at most (5)\n"
     "  --full            slow estimators on large sizes and with 4 rings, too: this takes hours\n"
-    "  --quick           small sizes, once each; fails if a figure is missing, or if HRBF isn't faster than "
-    "its peers\n"
+    "  --quick           small sizes, once each, and slow estimators in the comparison only; fails if a\n"
+    "                    figure is missing, or if HRBF isn't faster than its peers\n"
     "  --csv FILE        writes all figures to FILE\n"
     "  --markdown FILE   writes the tables to FILE (standard output)\n"
     "  --plot FOLDER     draws plots in FOLDER\n"
