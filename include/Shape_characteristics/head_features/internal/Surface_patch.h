@@ -3,6 +3,8 @@
 
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 
+#include <CGAL/Simple_cartesian.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -43,8 +45,10 @@ public:
     for(const std::size_t t : m_triangles)
     {
       const auto& [a, b, c] = m_surface->triangles[t];
-      const Eigen::Vector3d q =
-          closest_point(p, m_surface->points[a], m_surface->points[b], m_surface->points[c]);
+      const Kernel::Triangle_3 triangle(to_cgal(m_surface->points[a]), to_cgal(m_surface->points[b]),
+                                        to_cgal(m_surface->points[c]));
+      const Kernel::Point_3 projected = Kernel().construct_projected_point_3_object()(triangle, to_cgal(p));
+      const Eigen::Vector3d q(projected.x(), projected.y(), projected.z());
       const double distance = (q - p).squaredNorm();
       if(distance < nearest)
       {
@@ -103,35 +107,9 @@ private:
         }
   }
 
-  // of a triangle, to `p`
-  static Eigen::Vector3d closest_point(const Eigen::Vector3d& p,
-                                       const Eigen::Vector3d& a,
-                                       const Eigen::Vector3d& b,
-                                       const Eigen::Vector3d& c)
-  {
-    const Eigen::Vector3d n = (b - a).cross(c - a);
-    const double squared = n.squaredNorm();
-    if(squared > 0.)
-    {
-      const Eigen::Vector3d q = p - n * (n.dot(p - a) / squared);
-      if(n.dot((b - a).cross(q - a)) >= 0. && n.dot((c - b).cross(q - b)) >= 0. &&
-         n.dot((a - c).cross(q - c)) >= 0.)
-        return q;
-    }
-    Eigen::Vector3d best = a;
-    const auto try_edge = [&](const Eigen::Vector3d& s, const Eigen::Vector3d& t)
-    {
-      const double length = (t - s).squaredNorm();
-      const double x = length > 0. ? std::min(std::max((p - s).dot(t - s) / length, 0.), 1.) : 0.;
-      const Eigen::Vector3d q = s + x * (t - s);
-      if((q - p).squaredNorm() < (best - p).squaredNorm())
-        best = q;
-    };
-    try_edge(a, b);
-    try_edge(b, c);
-    try_edge(c, a);
-    return best;
-  }
+  using Kernel = CGAL::Simple_cartesian<double>;
+
+  static Kernel::Point_3 to_cgal(const Eigen::Vector3d& p) { return {p.x(), p.y(), p.z()}; }
 
   const Head_surface* m_surface;
   std::vector<std::size_t> m_triangles;
