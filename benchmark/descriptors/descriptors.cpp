@@ -1,5 +1,5 @@
-// Point feature histograms and SHOT, ours and PCL's: points per second on one thread, and whether the values are the same, as a
-// table in Markdown.
+// Point feature histograms, SHOT and spin images, ours and PCL's: points per second on one thread, and whether the values are the
+// same, as a table in Markdown.
 //
 //   build/benchmark/benchmark/benchmark_descriptors_descriptors [--points 10000] [--neighbours 10,60,150]
 //                                                               [--repetitions 5] [--seed 1] [--quick]
@@ -19,6 +19,7 @@
 #include <Shape_characteristics/descriptors/Pfh_descriptor.h>
 #include <Shape_characteristics/descriptors/Shot_descriptor.h>
 #include <Shape_characteristics/descriptors/Shot_variant.h>
+#include <Shape_characteristics/descriptors/Spin_image_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
@@ -126,6 +127,14 @@ SC::Descriptor_matrix our_shot(const Oriented_cloud& cloud, double radius)
   return SC::compute_descriptors<CGAL::Sequential_tag>(descriptor, samples.size());
 }
 
+SC::Descriptor_matrix our_spin_images(const Oriented_cloud& cloud, double radius)
+{
+  const SC::Point_set_samples samples = samples_of(cloud, radius);
+  // neighbors with all normals count, as PCL's do
+  const SC::Spin_image_descriptor<SC::Point_set_samples> descriptor(samples, 8, EIGEN_PI);
+  return SC::compute_descriptors<CGAL::Sequential_tag>(descriptor, samples.size());
+}
+
 struct Descriptor
 {
   std::string name;
@@ -167,7 +176,8 @@ int run(const Command_line& arguments)
   const std::vector<Descriptor> all = {{"FPFH", .05f, our_fpfh, descriptors::pcl_fpfh},
                                        {"PFH", .05f, our_pfh, descriptors::pcl_pfh},
                                        // a unit vector, where the others sum up to 300 and 100
-                                       {"SHOT", 1e-3f, our_shot, descriptors::pcl_shot}};
+                                       {"SHOT", 1e-3f, our_shot, descriptors::pcl_shot},
+                                       {"spin image", .05f, our_spin_images, descriptors::pcl_spin_images}};
 
   std::cout << points << " points, one thread, thousands of points per second\n\n"
             << "| descriptor | neighbours | ours | PCL | times faster | other rows | median difference |\n"

@@ -17,6 +17,7 @@
   \cgalHasModels{Shape_characteristics::Scaled_descriptor}
   \cgalHasModels{Shape_characteristics::Shot_descriptor}
   \cgalHasModels{Shape_characteristics::Signed_volume_descriptor}
+  \cgalHasModels{Shape_characteristics::Spin_image_descriptor}
   \cgalHasModels{Shape_characteristics::Symmetry_flux_descriptor}
   \cgalHasModelsEnd
 */

@@ -7,6 +7,7 @@
 #include <pcl/features/fpfh.h>
 #include <pcl/features/pfh.h>
 #include <pcl/features/shot.h>
+#include <pcl/features/spin_image.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -77,6 +78,16 @@ Peer_result pcl_shot(const Oriented_cloud& cloud, double radius)
   return estimate<Estimation, pcl::SHOT352>(cloud, radius);
 }
 
+Peer_result pcl_spin_images(const Oriented_cloud& cloud, double radius)
+{
+  using Image = pcl::Histogram<153>;
+  Peer_result result =
+      estimate<pcl::SpinImageEstimation<pcl::PointXYZ, pcl::Normal, Image>, Image>(cloud, radius);
+  for(float& value : result.values)
+    value *= 100.f; // its sum is 1
+  return result;
+}
+
 } // namespace descriptors
 
 #else
@@ -94,6 +105,11 @@ Peer_result pcl_pfh(const Oriented_cloud&, double)
 }
 
 Peer_result pcl_shot(const Oriented_cloud&, double)
+{
+  return {};
+}
+
+Peer_result pcl_spin_images(const Oriented_cloud&, double)
 {
   return {};
 }

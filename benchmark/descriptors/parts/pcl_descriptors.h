@@ -29,6 +29,9 @@ struct Peer_result
 /// `pcl::SHOTEstimation` with the points within `radius`, by one thread
 [[gnu::visibility("default")]] Peer_result pcl_shot(const Oriented_cloud& cloud, double radius);
 
+/// `pcl::SpinImageEstimation` with the points within `radius`, by one thread; in percent
+[[gnu::visibility("default")]] Peer_result pcl_spin_images(const Oriented_cloud& cloud, double radius);
+
 } // namespace descriptors
 
 #endif // SHAPE_CHARACTERISTICS_BENCHMARK_DESCRIPTORS_PCL_DESCRIPTORS_H

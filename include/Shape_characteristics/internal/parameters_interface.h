@@ -80,10 +80,14 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
     SC_new_parameter(descriptor_samples_t, descriptor_samples, descriptor_samples)
         SC_new_parameter(fpfh_variant_t, fpfh_variant, fpfh_variant)
             SC_new_parameter(shot_variant_t, shot_variant, shot_variant)
-                SC_new_parameter(flux_method_t, flux_method, flux_method)
-                    SC_new_parameter(area_map_t, area_map, area_map)
-                        SC_new_parameter(signed_volume_method_t, signed_volume_method, signed_volume_method)
-                            SC_new_parameter(signal_scaling_t, signal_scaling, signal_scaling)
+                SC_new_parameter(image_width_t, image_width, image_width)
+                    SC_new_parameter(support_angle_t, support_angle, support_angle)
+                        SC_new_parameter(flux_method_t, flux_method, flux_method)
+                            SC_new_parameter(area_map_t, area_map, area_map)
+                                SC_new_parameter(signed_volume_method_t,
+                                                 signed_volume_method,
+                                                 signed_volume_method)
+                                    SC_new_parameter(signal_scaling_t, signal_scaling, signal_scaling)
 
     // ambient occlusion
     SC_new_parameter(ambient_occlusion_map_t, ambient_occlusion_map, ambient_occlusion_map)
