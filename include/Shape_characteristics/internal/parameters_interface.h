@@ -76,6 +76,11 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                         SC_new_parameter(point_normal_method_t, point_normal_method, point_normal_method)
                             SC_CGAL_parameter(degree_fitting_t, degree_fitting)
 
+    // saliency
+    SC_new_parameter(vertex_saliency_map_t, vertex_saliency_map, vertex_saliency_map)
+        SC_new_parameter(saliency_map_t, saliency_map, saliency_map)
+            SC_new_parameter(saliency_scale_t, saliency_scale, saliency_scale)
+
     // descriptors
     SC_new_parameter(descriptor_samples_t, descriptor_samples, descriptor_samples)
         SC_new_parameter(fpfh_variant_t, fpfh_variant, fpfh_variant)
