@@ -332,6 +332,15 @@ BOOST_AUTO_TEST_CASE(bad_input)
   r.status.resize(300);
   BOOST_TEST(difference(good, r) == 0.);
 
+  cloud = random_cloud(300, 5);
+  cloud.mean_curvatures[7] = std::numeric_limits<double>::max(); // minus that of a neighbor, it is infinite
+  for(std::size_t i = 0; i < 300; ++i)
+    if(i != 7)
+      cloud.mean_curvatures[i] *= -1e308;
+  r = saliency(cloud, parameters);
+  check(r);
+  BOOST_TEST((r.status[7] == S::DEGENERATE));
+
   for(const double scale : {0., -1., quiet_nan, std::numeric_limits<double>::infinity(), 1e308})
     BOOST_CHECK_THROW(saliency(cloud, np::saliency_scale(scale)), std::invalid_argument);
   for(int calls = 0; calls < 4; ++calls)

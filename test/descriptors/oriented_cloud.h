@@ -10,6 +10,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <boost/test/test_tools.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -148,6 +150,26 @@ inline bool is_consistent(const SC::Descriptor_matrix& m)
 inline std::size_t number_of(SC::Estimation_status status, const SC::Descriptor_matrix& m)
 {
   return std::size_t(std::count(m.status.begin(), m.status.end(), status));
+}
+
+// Few points, or points on a line or at one place, have no descriptor: checks that `describe(cloud)` says so.
+template <typename Describe>
+void check_points_on_a_line(const Describe& describe)
+{
+  using S = SC::Estimation_status;
+  for(const std::size_t count : {1, 2, 8})
+    for(const Vector3d& direction : {Vector3d(.1, .2, .3), Vector3d(0., 0., 0.)})
+    {
+      Cloud line;
+      for(std::size_t i = 0; i < count; ++i)
+      {
+        line.points.push_back(double(i * i + 1) * direction);
+        line.normals.emplace_back(0., 0., 1.);
+      }
+      const SC::Descriptor_matrix m = describe(line);
+      BOOST_TEST(is_consistent(m));
+      BOOST_TEST(number_of(count < 3 || direction.isZero() ? S::FEW_NEIGHBOURS : S::DEGENERATE, m) == count);
+    }
 }
 
 } // namespace oriented_cloud

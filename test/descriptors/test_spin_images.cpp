@@ -263,20 +263,7 @@ BOOST_AUTO_TEST_CASE(bad_point_sets)
   for(const SC::Neighborhood& neighborhood : {SC::Neighborhood::ball(1e3), SC::Neighborhood::nearest(10)})
   {
     BOOST_TEST(spin_images(Cloud(), neighborhood).values.cols() == 153);
-    for(const std::size_t count : {1, 2, 8})
-      for(const Vector3d& direction : {Vector3d(.1, .2, .3), Vector3d(0., 0., 0.)})
-      {
-        Cloud line;
-        for(std::size_t i = 0; i < count; ++i)
-        {
-          line.points.push_back(double(i * i + 1) * direction);
-          line.normals.emplace_back(0., 0., 1.);
-        }
-        const SC::Descriptor_matrix m = spin_images(line, neighborhood);
-        BOOST_TEST(is_consistent(m));
-        BOOST_TEST(number_of(count < 3 || direction.isZero() ? S::FEW_NEIGHBOURS : S::DEGENERATE, m) ==
-                   count);
-      }
+    check_points_on_a_line([&](const Cloud& line) { return spin_images(line, neighborhood); });
   }
   // all neighbors are turned away
   Cloud hedgehog;

@@ -132,8 +132,8 @@ std::vector<Saliency_estimate> saliency_of(const SampledSurface& samples,
   \cgalNamedParamsEnd
 
   \return the number of vertices without a saliency. Theirs is quiet NaN, and their status says why: `FEW_NEIGHBOURS` if there is no
-          other one within \f$ 24 \varepsilon \f$ along edges, `DEGENERATE` if its curvature is NaN. If the callback stops the
-          computation, all are `CANCELLED`.
+          other one within \f$ 24 \varepsilon \f$ along edges, `DEGENERATE` if its curvature is NaN, or sums of those around it
+          overflow. If the callback stops the computation, all are `CANCELLED`.
 
   \throws std::invalid_argument if `saliency_scale` isn't positive and finite, or curvatures are to be estimated and a face is no
           triangle
