@@ -55,10 +55,11 @@ support::Image draw(const SC::Descriptor_matrix& spin_images, const std::vector<
   for(const auto v : some)
   {
     const Eigen::RowVectorXf values = spin_images.values.row(Eigen::Index(v));
+    const float largest = values.maxCoeff();
     for(int a = 0; a < columns; ++a)
       for(int b = 0; b < rows; ++b)
       {
-        const double share = double(values[a * rows + b] / values.maxCoeff());
+        const double share = double(values[a * rows + b] / largest);
         painter.fill({left + cell * a, double(cell * (rows - 1 - b)), cell, cell},
                      gradient.pixel(std::sqrt(share)));
       }
@@ -83,8 +84,8 @@ int main(int argc, char* argv[])
       SC::spin_image_descriptors(mesh, SC::parameters::neighbor_radius(.15 * size).image_width(width));
 
   // what is farthest to one side, above the shoulders; what is most like it on the other half; what is least like it
-  const CGAL::Point_3<Kernel> center = CGAL::midpoint(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
-                                                      Kernel::Point_3(box.xmax(), box.ymax(), box.zmax()));
+  const Kernel::Point_3 center = CGAL::midpoint(Kernel::Point_3(box.xmin(), box.ymin(), box.zmin()),
+                                                Kernel::Point_3(box.xmax(), box.ymax(), box.zmax()));
   Mesh::Vertex_index ear = *mesh.vertices().begin();
   for(const auto v : mesh.vertices())
     if(mesh.point(v).z() > center.z() && mesh.point(v).x() > mesh.point(ear).x())

@@ -144,7 +144,7 @@ std::vector<Real> plain_saliency(const Cloud& cloud, Real scale)
   };
   for(int k = 2; k <= 6; ++k)
   {
-    std::vector<Real> s(n), maxima;
+    std::vector<Real> s(n);
     for(std::size_t i = 0; i < n; ++i)
       s[i] = std::abs(average(i, k * scale) - average(i, 2 * k * scale));
     const Real largest = *std::max_element(s.begin(), s.end());

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -105,6 +106,17 @@ inline Cloud permuted(const Cloud& cloud, const std::vector<std::size_t>& order)
   return result;
 }
 
+inline SC::Descriptor_matrix permuted(SC::Descriptor_matrix m, const std::vector<std::size_t>& order)
+{
+  const SC::Descriptor_matrix original = m;
+  for(std::size_t i = 0; i < order.size(); ++i)
+  {
+    m.values.row(Eigen::Index(i)) = original.values.row(Eigen::Index(order[i]));
+    m.status[i] = original.status[order[i]];
+  }
+  return m;
+}
+
 inline SC::Point_set_samples samples_of(const Cloud& cloud, const SC::Neighborhood& neighborhood)
 {
   SC::Point_set_samples samples(cloud.points, CGAL::Identity_property_map<Vector3d>(), neighborhood);
@@ -170,6 +182,25 @@ void check_points_on_a_line(const Describe& describe)
       BOOST_TEST(is_consistent(m));
       BOOST_TEST(number_of(count < 3 || direction.isZero() ? S::FEW_NEIGHBOURS : S::DEGENERATE, m) == count);
     }
+}
+
+// Samples that aren't finite have no descriptor, and nothing to do with those of the others: checks that `describe(cloud)` says so.
+template <typename Describe>
+void check_samples_that_are_not_finite(const Cloud& good, const Describe& describe)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const SC::Descriptor_matrix m = describe(good);
+  Cloud cloud = good;
+  cloud.points.insert(cloud.points.end(),
+                      {Vector3d(nan, 0., 0.), Vector3d(.1, .1, .2), Vector3d(.1, .1, .2)});
+  cloud.normals.insert(cloud.normals.end(),
+                       {Vector3d(0., 0., 1.), Vector3d(0., 0., 0.), Vector3d(0., nan, 1.)});
+  const SC::Descriptor_matrix with_bad = describe(cloud);
+  BOOST_TEST(is_consistent(with_bad));
+  BOOST_TEST(number_of(SC::Estimation_status::NON_FINITE_INPUT, with_bad) == 3u);
+  for(std::size_t i = 0; i < good.points.size(); ++i)
+    if(SC::is_estimated(m.status[i]))
+      BOOST_TEST((with_bad.values.row(Eigen::Index(i)) == m.values.row(Eigen::Index(i))));
 }
 
 } // namespace oriented_cloud

@@ -86,7 +86,8 @@ std::vector<Saliency_estimate> saliency_of(const SampledSurface& samples,
   \ingroup PkgShapeCharacteristicsCharacteristics
 
   computes the saliency of the vertices of a mesh: how much the mean curvature at a vertex differs from that around it, at scales
-  at which people look at a shape \cgalCite{mesh_saliency} (the thesis's section 6.1.2). A bump is salient, and fine grain all over a surface is not.
+  at which people look at a shape \cgalCite{mesh_saliency} (the thesis's section 6.1.2). A bump is salient, and fine grain all over
+  a surface is not.
 
   \f$ G_\sigma \f$ is the average of the mean curvatures within \f$ 2 \sigma \f$, weighted by a Gaussian of standard deviation
   \f$ \sigma \f$. At each of the scales \f$ \sigma_i = 2 \varepsilon, 3 \varepsilon, \dots, 6 \varepsilon \f$, the difference

@@ -133,12 +133,12 @@ private:
     if(!has_neighbors)
       m_status[i] = Estimation_status::FEW_NEIGHBOURS;
     for(std::size_t k = 0; k < s_scales; ++k)
-    {
-      const double difference = std::abs(fine[k] / weight_of_fine[k] - coarse[k] / weight_of_coarse[k]);
-      if(std::isfinite(difference))
-        m_differences[i][k] = difference;
-      else // curvatures around here are too large for sums of them
-        m_status[i] = Estimation_status::DEGENERATE;
+      m_differences[i][k] = std::abs(fine[k] / weight_of_fine[k] - coarse[k] / weight_of_coarse[k]);
+    if(!std::all_of(m_differences[i].begin(), m_differences[i].end(),
+                    [](double d) { return std::isfinite(d); }))
+    { // curvatures around here are too large for sums of them
+      m_status[i] = Estimation_status::DEGENERATE;
+      m_differences[i].fill(0.);
     }
   }
 
