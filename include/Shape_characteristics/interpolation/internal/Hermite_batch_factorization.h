@@ -36,8 +36,8 @@ public:
 private:
   [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
-  // Loads what is multiplied several times into a register. Left to itself, GCC reads it again for each product, and the processor
-  // reads fewer numbers at a time than it multiplies.
+  // Loads what is multiplied several times into a register. Left to itself, GCC reads it again for each product: more often than it
+  // multiplies, and the processor does as many of both at a time.
   [[gnu::always_inline]] static void load(const V& number, V& into)
   {
     into = number;
