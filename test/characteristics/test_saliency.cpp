@@ -125,8 +125,9 @@ Real distance(const Point& p, const Point& q)
   return std::sqrt(Real(CGAL::squared_distance(p, q)));
 }
 
-// by the words of the paper
-std::vector<Real> plain_saliency(const Cloud& cloud, Real scale)
+// by the words of the paper; `ignored`: a sample that has no saliency
+std::vector<Real>
+plain_saliency(const Cloud& cloud, Real scale, std::size_t ignored = std::numeric_limits<std::size_t>::max())
 {
   const std::size_t n = cloud.points.size();
   std::vector<Real> result(n, 0);
@@ -146,7 +147,7 @@ std::vector<Real> plain_saliency(const Cloud& cloud, Real scale)
   {
     std::vector<Real> s(n);
     for(std::size_t i = 0; i < n; ++i)
-      s[i] = std::abs(average(i, k * scale) - average(i, 2 * k * scale));
+      s[i] = i == ignored ? 0 : std::abs(average(i, k * scale) - average(i, 2 * k * scale));
     const Real largest = *std::max_element(s.begin(), s.end());
     for(Real& x : s)
       x /= largest;
@@ -340,6 +341,23 @@ BOOST_AUTO_TEST_CASE(bad_input)
   r = saliency(cloud, parameters);
   check(r);
   BOOST_TEST((r.status[7] == S::DEGENERATE));
+
+  // The sums of one scale alone overflow, at the origin, whose differences would be the largest ones of the others.
+  cloud = Cloud();
+  cloud.points = {Point(0., 0., 0.), Point(-3., 1., 0.), Point(-3., -2., 0.)};
+  cloud.mean_curvatures = {1e306, 0., 0.};
+  for(int i = 0; i < 12; ++i)
+  {
+    cloud.points.emplace_back(22., .1 * i, 0.); // within the last scale
+    cloud.mean_curvatures.push_back(1.7e308);
+  }
+  r = saliency(cloud, np::saliency_scale(1.));
+  check(r);
+  BOOST_TEST(r.failures == 1u);
+  BOOST_TEST((r.status[0] == S::DEGENERATE));
+  const std::vector<Real> expected = plain_saliency(cloud, 1, 0);
+  for(std::size_t i = 1; i < cloud.points.size(); ++i)
+    BOOST_TEST(std::abs(r.values[i] - double(expected[i])) < 1e-9);
 
   for(const double scale : {0., -1., quiet_nan, std::numeric_limits<double>::infinity(), 1e308})
     BOOST_CHECK_THROW(saliency(cloud, np::saliency_scale(scale)), std::invalid_argument);
