@@ -18,6 +18,7 @@ namespace speed {
 namespace {
 
 namespace SC = Shape_characteristics;
+using SC::internal::Hermite_equations;
 
 // any positive definite matrix will do: what is counted depends on its size alone
 Eigen::MatrixXd positive_definite_matrix(std::size_t equations)
@@ -33,11 +34,12 @@ Eigen::MatrixXd positive_definite_matrix(std::size_t equations)
   return result;
 }
 
-// of Cholesky's method, n^3 / 3 and what is below, and of both substitutions; roots and quotients count as one
-double operations_of_solution(std::size_t equations)
+// of Cholesky's method, n^3 / 3 and what is below, and of the substitutions, of which the second is that of one right side; roots and
+// quotients count as one
+double operations_of_solution(std::size_t equations, std::size_t right_sides)
 {
   const double n = double(equations);
-  return n * (n + 1.) * (2. * n + 1.) / 6. + 2. * n * n;
+  return n * (n + 1.) * (2. * n + 1.) / 6. + double(right_sides + 1) * n * n;
 }
 
 std::size_t times(double enough_operations, double operations)
@@ -58,7 +60,7 @@ Factorization eigen_cholesky(std::size_t equations, double enough_operations)
   const auto systems = std::make_shared<Systems>();
   systems->matrix = positive_definite_matrix(equations);
   systems->data = Eigen::VectorXd::Ones(Eigen::Index(equations));
-  const double operations = operations_of_solution(equations);
+  const double operations = operations_of_solution(equations, 1);
   const std::size_t number = times(enough_operations, operations);
   return {"Eigen::LLT", equations, double(number) * operations,
           [systems, number]
@@ -78,6 +80,11 @@ Factorization eigen_cholesky(std::size_t equations, double enough_operations)
             }
             return all;
           }};
+}
+
+std::size_t number_of_equations(std::size_t centers, Hermite_equations kind)
+{
+  return kind == Hermite_equations::TANGENTS ? 3 * centers + 1 : 4 * centers;
 }
 
 // points and normals of a paraboloid around the origin, as large as neighbourhoods are in units of the basis function
@@ -101,23 +108,29 @@ void fill(SC::internal::Hermite_batch& batch)
     set(batch.trend, 0, lane, Eigen::Vector3d::UnitZ());
     batch.set(batch.count, 0, lane, double(batch.centers()));
     batch.set(batch.unit, 0, lane, .2);
-    batch.set(batch.value_noise, 0, lane, 1e-12);
-    batch.set(batch.derivative_noise, 0, lane, 1e-12);
+    const bool normals_are_exact = batch.equations() == Hermite_equations::TANGENTS;
+    batch.set(batch.value_noise, 0, lane, normals_are_exact ? 1e-12 : 1e-4);
+    batch.set(batch.derivative_noise, 0, lane, normals_are_exact ? 1e-12 : .1);
   }
 }
 
 // Several systems side by side, as the estimators solve them. What assembles them is timed, too, or isn't; its operations
 // aren't counted.
-Factorization batch(std::size_t lanes, std::size_t centers, bool with_assembly, double enough_operations)
+Factorization batch(std::size_t lanes,
+                    std::size_t centers,
+                    Hermite_equations kind,
+                    bool with_assembly,
+                    double enough_operations)
 {
   using Functions = SC::internal::Hermite_batch_functions<SC::Inverse_multiquadric>;
-  const std::size_t equations = 3 * centers + 1;
-  const double operations = double(lanes) * operations_of_solution(equations);
+  const std::size_t equations = number_of_equations(centers, kind);
+  const double operations =
+      double(lanes) * operations_of_solution(equations, kind == Hermite_equations::TANGENTS ? 1 : 4);
   const std::size_t number = times(enough_operations, operations);
   const auto batches = std::make_shared<std::vector<SC::internal::Hermite_batch>>(number);
   for(SC::internal::Hermite_batch& b : *batches)
   {
-    b.clear(lanes, centers, SC::internal::Hermite_equations::TANGENTS);
+    b.clear(lanes, centers, kind);
     fill(b);
   }
   const auto functions = Functions::best(lanes);
@@ -147,14 +160,18 @@ Factorization batch(std::size_t lanes, std::size_t centers, bool with_assembly, 
 std::vector<Factorization> factorizations(double enough_operations)
 {
   std::vector<Factorization> list;
-  for(const std::size_t centers : {7, 19, 37, 61})
+  const auto add = [&](const std::size_t centers, const Hermite_equations kind)
   {
-    list.push_back(eigen_cholesky(3 * centers + 1, enough_operations));
+    list.push_back(eigen_cholesky(number_of_equations(centers, kind), enough_operations));
     for(const std::size_t lanes : {2, 4, 8})
       if(SC::internal::Hermite_batch_functions<SC::Inverse_multiquadric>::best(lanes).lanes == lanes)
         for(const bool with_assembly : {true, false})
-          list.push_back(batch(lanes, centers, with_assembly, enough_operations));
-  }
+          list.push_back(batch(lanes, centers, kind, with_assembly, enough_operations));
+  };
+  for(const std::size_t centers : {7, 19, 37, 61})
+    add(centers, Hermite_equations::TANGENTS);
+  for(const std::size_t centers : {61, 121})
+    add(centers, Hermite_equations::GRADIENTS);
   return list;
 }
 

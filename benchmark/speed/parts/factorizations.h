@@ -19,8 +19,9 @@ struct Factorization
   std::function<bool()> run;     ///< returns whether all systems were solved
 };
 
-/// Those of the library, with and without what assembles the systems, and Eigen's, on systems of 3m + 1 equations for 1, 2,
-/// 3 and 4 rings of a mesh: m = 7, 19, 37, 61. A run solves so many systems that they are about `enough_operations`.
+/// Those of the library, with and without what assembles the systems, and Eigen's: systems of 3m + 1 equations of exact normals, for
+/// 1, 2, 3 and 4 rings of a mesh (m = 7, 19, 37, 61), and of 4m of estimated ones, for 4 rings of it and for the largest neighborhood of
+/// four rings of another (m = 61, 121). A run solves so many systems that they are about `enough_operations`.
 std::vector<Factorization> factorizations(double enough_operations);
 
 } // namespace speed

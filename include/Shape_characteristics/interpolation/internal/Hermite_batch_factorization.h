@@ -17,7 +17,9 @@ namespace internal {
   Hermite_function_on_lanes has taken the equations. It doesn't matter of which basis function they are.
 
   The lower triangle of the matrix lies in panels of four rows, column by column, so that the innermost loop of the
-  factorization reads two panels from front to back, and each number it reads is used four times.
+  factorization reads two panels from front to back, and each number it reads is used four times. It does so for blocks of columns
+  that the cache has room for: what lies to the right of a block is updated once it is known. The order of all sums is that of the
+  columns, as without blocks.
 */
 template <int n>
 class Hermite_batch_factorization
@@ -34,6 +36,8 @@ public:
   }
 
 private:
+  static constexpr std::size_t s_block = 16; // panels
+
   [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
   // Loads what is multiplied several times into a register. Left to itself, GCC reads it again for each product: more often than it
@@ -79,41 +83,48 @@ private:
 
   /*
     Some rows of a tile, all at once because they are in registers meanwhile: entry `k` of the sequence is that in column `k % 4` of
-    row `first + k / 4`. What the columns before the tile (`length` of them) have to do with it is subtracted: `rows` are those
-    of the tile, `columns` those of the corner above, whose factor then divides it.
+    row `first + k / 4`. What some columns before the tile (`length` of them) have to do with it is subtracted: `rows` are those
+    of the tile, `columns` those of the corner above. If these are the last ones, the factor of that corner, which follows, then
+    divides it.
   */
-  template <int first, std::size_t... k>
+  template <bool are_last, int first, std::size_t... k>
   [[gnu::always_inline]] static void
-  find_rows(const V* rows, const V* columns, std::size_t length, V* tile, std::index_sequence<k...>)
+  update_rows(const V* rows, const V* columns, std::size_t length, V* tile, std::index_sequence<k...>)
   {
     V sums[] = {tile[4 * (k % 4) + first + k / 4]...};
     constexpr std::make_index_sequence<sizeof...(k) / 4> all;
     for(std::size_t c = 0; c < length; ++c, rows += 4, columns += 4)
       subtract_products<first>(rows, columns, sums, all);
-    for(std::size_t r = 0; r < sizeof...(k); r += 4)
-      divide_by_corner(columns, sums + r);
+    if constexpr(are_last)
+      for(std::size_t r = 0; r < sizeof...(k); r += 4)
+        divide_by_corner(columns, sums + r);
     ((tile[4 * (k % 4) + first + k / 4] = sums[k]), ...);
   }
 
-  // the tile of panel `p` below the corner of panel `q`, as many rows at once as there are registers for
-  [[gnu::always_inline]] static void find_tile(V* matrix, std::size_t p, std::size_t q)
+  // What the panels `begin` to `end - 1` have to do with the tile of panel `p` below, or in, the corner of panel `q`, as many rows at
+  // once as there are registers for
+  template <bool are_last>
+  [[gnu::always_inline]] static void
+  update_tile(V* matrix, std::size_t p, std::size_t q, std::size_t begin, std::size_t end)
   {
-    const V* const rows = matrix + Hermite_batch::panel(p);
-    const V* const columns = matrix + Hermite_batch::panel(q);
+    const V* const rows = matrix + Hermite_batch::panel(p) + 16 * begin;
+    const V* const columns = matrix + Hermite_batch::panel(q) + 16 * begin;
     V* const tile = matrix + Hermite_batch::panel(p) + 16 * q;
+    const std::size_t length = 4 * (end - begin);
     if constexpr(n == 8)
-      find_rows<0>(rows, columns, 4 * q, tile, std::make_index_sequence<16>());
+      update_rows<are_last, 0>(rows, columns, length, tile, std::make_index_sequence<16>());
     else
     {
-      find_rows<0>(rows, columns, 4 * q, tile, std::make_index_sequence<8>());
-      find_rows<2>(rows, columns, 4 * q, tile, std::make_index_sequence<8>());
+      update_rows<are_last, 0>(rows, columns, length, tile, std::make_index_sequence<8>());
+      update_rows<are_last, 2>(rows, columns, length, tile, std::make_index_sequence<8>());
     }
   }
 
-  // the corner of panel `p`, with inverse diagonal: entry (r, c) at 4 c + r
-  [[gnu::always_inline]] static void find_corner(V* matrix, std::size_t p, V& ok, const V& one)
+  // the corner of panel `p`, with inverse diagonal: entry (r, c) at 4 c + r; `begin`: of the panels that it still has to do with
+  [[gnu::always_inline]] static void
+  find_corner(V* matrix, std::size_t p, std::size_t begin, V& ok, const V& one)
   {
-    const V* const own = matrix + Hermite_batch::panel(p);
+    const V* const own = matrix + Hermite_batch::panel(p) + 16 * begin;
     V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
     V l00 = corner[0], l10 = corner[1], l20 = corner[2], l30 = corner[3], l11 = corner[5], l21 = corner[6],
       l31 = corner[7], l22 = corner[10], l32 = corner[11], l33 = corner[15];
@@ -162,20 +173,20 @@ private:
     V ok, one;
     set_lanes(ok, 1.);
     set_lanes(one, 1.);
-    // Two corners at a time: the rows below are read from far away once for both.
-    for(std::size_t first = 0; first < batch.panels; first += 2)
+    for(std::size_t begin = 0; begin < batch.panels; begin += s_block)
     {
-      const std::size_t next = (std::min)(first + 2, batch.panels);
-      for(std::size_t p = first; p < next; ++p)
+      const std::size_t end = (std::min)(begin + s_block, batch.panels);
+      for(std::size_t p = begin; p < batch.panels; ++p)
       {
-        if(p != first)
-          find_tile(matrix, p, first);
-        find_corner(matrix, p, ok, one);
-        substitute_forward(batch, p);
+        for(std::size_t q = begin; q < (std::min)(p, end); ++q)
+          update_tile<true>(matrix, p, q, begin, q);
+        if(p < end)
+        {
+          find_corner(matrix, p, begin, ok, one);
+          substitute_forward(batch, p);
+        }
       }
-      for(std::size_t p = next; p < batch.panels; ++p)
-        for(std::size_t q = first; q < next; ++q)
-          find_tile(matrix, p, q);
+      subtract_block(matrix, begin, end, batch.panels);
     }
     // what noise that isn't in the matrix adds to the Mahalanobis square, and divides the root of the determinant by
     V square{}, inverse_root = one;
@@ -186,6 +197,17 @@ private:
       find_log_likelihood(batch, inverse_root);
     substitute_backward(batch);
     *reinterpret_cast<V*>(batch.is_positive_definite.data()) = ok;
+  }
+
+  // What the panels `begin` to `end - 1` of columns have to do with all tiles to their right. Some columns of tiles at a time: what they
+  // are updated with stays in the cache.
+  [[gnu::always_inline]] static void
+  subtract_block(V* matrix, std::size_t begin, std::size_t end, std::size_t panels)
+  {
+    for(std::size_t first = end; first < panels; first += s_block)
+      for(std::size_t p = first; p < panels; ++p)
+        for(std::size_t q = first; q < (std::min)(first + s_block, p + 1); ++q)
+          update_tile<false>(matrix, p, q, begin, end);
   }
 
   // A pivot that isn't positive tells that the matrix isn't positive definite in floating point.
