@@ -84,7 +84,9 @@ Factorization eigen_cholesky(std::size_t equations, double enough_operations)
 
 std::size_t number_of_equations(std::size_t centers, Hermite_equations kind)
 {
-  return kind == Hermite_equations::TANGENTS ? 3 * centers + 1 : 4 * centers;
+  SC::internal::Hermite_batch batch;
+  batch.clear(1, centers, kind);
+  return batch.number_of_equations;
 }
 
 // points and normals of a paraboloid around the origin, as large as neighbourhoods are in units of the basis function

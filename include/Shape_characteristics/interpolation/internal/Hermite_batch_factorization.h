@@ -36,7 +36,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t s_block = 16; // panels
+  static constexpr std::size_t s_block = 16; // panels: a group of tiles is updated with 128 KB, with 4 lanes
 
   [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
