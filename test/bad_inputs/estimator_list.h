@@ -276,8 +276,6 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                       // the level of noise is that of the whole
     e.difference_of_fits = shared ? .35 : 0.; // the surfaces are coarse
     e.accuracy = shared ? .004 : .002;
-    if constexpr(std::is_same_v<Input, Point_set>)
-      e.reproducibility = 2e-9; // at the border, neighbors lie on one side
   }
   for(const bool shared : {true, false})
   {
@@ -291,8 +289,6 @@ std::vector<Estimator<Input>> estimators()
     e.difference_of_fits =
         shared ? std::numeric_limits<double>::infinity() : 0.; // normals of faces aren't exact
     e.accuracy = shared ? .35 : .15;
-    if constexpr(std::is_same_v<Input, Point_set>)
-      e.reproducibility = 3e-9; // as above
   }
   {
     Estimator<Input>& e =
@@ -323,7 +319,7 @@ std::vector<Estimator<Input>> estimators()
     e.is_local = false;                                             // nor is its level of noise
     e.difference_of_fits = std::numeric_limits<double>::infinity(); // it may choose another fit
     e.accuracy = .01;
-    e.reproducibility = 1e-6; // it has fits that follow normals of faces among its choices
+    e.reproducibility = 1e-7; // its scores magnify what differs between fits
   }
   list.add_curvatures("jet_fitting", jet_fitting, defaults).accuracy = .005;
   list.add_curvatures("goldfeather_interrante", goldfeather_interrante, defaults).accuracy = .05;

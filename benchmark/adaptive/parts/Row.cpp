@@ -118,9 +118,9 @@ void add_records(const Mesh& mesh, Normal_map normals, const std::vector<Exact_c
   row.vertices.resize(exact.size());
   for(std::size_t s = 0; s < number_of_statistics; ++s)
   {
-    const std::vector<float>& of_vertices = statistics.statistic(SC::internal::Adaptive_statistic(s));
+    const std::vector<double>& of_vertices = statistics.statistic(SC::internal::Adaptive_statistic(s));
     for(std::size_t i = 0; i < exact.size(); ++i)
-      row.vertices[i].statistics[s] = of_vertices[i];
+      row.vertices[i].statistics[s] = float(of_vertices[i]);
   }
   for(std::size_t c = 0; c < number_of_candidates; ++c)
   {

@@ -94,11 +94,11 @@ private:
   std::vector<Index> take_exact_ones(const std::vector<Index>& samples, Adaptive_estimates& result)
   {
     std::vector<Index> others;
-    const std::vector<float>& exact_angles = m_statistics.statistic(Adaptive_statistic::EXACT_3_ANGLES);
-    const std::vector<float>& points_angles = m_statistics.statistic(Adaptive_statistic::POINTS_3_ANGLES);
+    const std::vector<double>& exact_angles = m_statistics.statistic(Adaptive_statistic::EXACT_3_ANGLES);
+    const std::vector<double>& points_angles = m_statistics.statistic(Adaptive_statistic::POINTS_3_ANGLES);
     if(m_statistics.is_cancelled())
       return others;
-    const std::vector<float>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
+    const std::vector<double>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
     const Fitted_field& exact = m_statistics.field(Choice::EXACT_3_RINGS);
     for(const Index i : samples)
       if(is_estimated(exact[i].status) &&
@@ -111,7 +111,7 @@ private:
 
   void blend(const std::vector<Index>& samples, Adaptive_estimates& result)
   {
-    std::array<const std::vector<float>*, adaptive_score_statistics.size()> statistics;
+    std::array<const std::vector<double>*, adaptive_score_statistics.size()> statistics;
     for(std::size_t k = 0; k < statistics.size(); ++k)
       statistics[k] = &m_statistics.statistic(adaptive_score_statistics[k]);
     Fields fields;
@@ -124,7 +124,7 @@ private:
       Scores scores = adaptive_score_weights[0];
       for(std::size_t k = 0; k < statistics.size(); ++k)
         for(std::size_t c = 0; c < scores.size(); ++c)
-          scores[c] += adaptive_score_weights[k + 1][c] * double((*statistics[k])[i]);
+          scores[c] += adaptive_score_weights[k + 1][c] * (*statistics[k])[i];
       blend(fields, scores, i, result);
     }
   }

@@ -40,13 +40,13 @@ inline double adaptive_share(double distance)
 // normals (`exactness` is learned), or as well, and as only exact ones do. By decimal logarithms of the angles by which they are
 // off, and of the noise level. Normals of the faces are off by more than the second difference. Where the level isn't the least one,
 // the smaller one of the angles keeps all noise out but that of single precision.
-inline bool normals_are_exact(float exact_angle, float points_angle, float noise, double exactness)
+inline bool normals_are_exact(double exact_angle, double points_angle, double noise, double exactness)
 {
   constexpr double no_noise = -5.9, largest_angle = -4.5, largest_angle_without_noise = -3.,
                    largest_difference = .3;
-  const double difference = double(exact_angle - points_angle);
-  const double bound = double(noise) < no_noise ? largest_angle_without_noise : largest_angle;
-  return difference < exactness || (double(exact_angle) < bound && difference < largest_difference);
+  const double difference = exact_angle - points_angle;
+  const double bound = noise < no_noise ? largest_angle_without_noise : largest_angle;
+  return difference < exactness || (exact_angle < bound && difference < largest_difference);
 }
 
 /*
@@ -258,9 +258,9 @@ public:
     return field;
   }
 
-  const std::vector<float>& statistic(Name name)
+  const std::vector<double>& statistic(Name name)
   {
-    std::vector<float>& statistic = m_statistics[std::size_t(name)];
+    std::vector<double>& statistic = m_statistics[std::size_t(name)];
     if(statistic.empty() && m_size > 0)
       statistic = compute(name);
     return statistic;
@@ -345,7 +345,7 @@ private:
     return result;
   }
 
-  std::vector<float> compute(Name name)
+  std::vector<double> compute(Name name)
   {
     const auto number = std::size_t(name);
     if(number < number_of_adaptive_candidates)
@@ -409,22 +409,22 @@ private:
     case Name::SMOOTHED_3_DRIFT:
       return drift(Choice::SMOOTHED_3_RINGS);
     case Name::NOISE:
-      return std::vector<float>(m_size, logarithm(noise_level()));
+      return std::vector<double>(m_size, logarithm(noise_level()));
     default:
       return irregularity();
     }
   }
 
-  static float logarithm(double x, double least = least_noise_level)
+  static double logarithm(double x, double least = least_noise_level)
   {
     constexpr double largest = 1e3;
-    return float(std::log10((std::min)((std::max)(x, least), largest)));
+    return std::log10((std::min)((std::max)(x, least), largest));
   }
 
   // the logarithm of the mean over each sample and its neighbors of what is known there, whatever its sign
-  std::vector<float> pooled(const std::vector<double>& values, double least = least_noise_level) const
+  std::vector<double> pooled(const std::vector<double>& values, double least = least_noise_level) const
   {
-    std::vector<float> result(m_size, logarithm(std::numeric_limits<double>::infinity()));
+    std::vector<double> result(m_size, logarithm(std::numeric_limits<double>::infinity()));
     for_each_of(m_asked_for,
                 [&](const std::size_t i)
                 {
@@ -496,7 +496,7 @@ private:
         });
   }
 
-  std::vector<float> angles(Choice choice)
+  std::vector<double> angles(Choice choice)
   {
     return pooled(over_edges(choice,
                              [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d) {
@@ -507,27 +507,27 @@ private:
   }
 
   // times h / h: without units as it is
-  std::vector<float> turns(Choice choice)
+  std::vector<double> turns(Choice choice)
   {
     return pooled(
         over_edges(choice, [](const Fitted_sample& p, const Fitted_sample& q, const Vector& d)
                    { return (q.normal - p.normal - .5 * (p.turn(d) + q.turn(d))).norm() * d.norm(); }));
   }
 
-  std::vector<float> differences(Choice a, Choice b)
+  std::vector<double> differences(Choice a, Choice b)
   {
     const Fitted_field &fits_a = field(a), &fits_b = field(b);
     return pooled(of_each([&](const std::size_t i)
                           { return m_sizes[i] * distance_of_shapes(fits_a[i].shape, fits_b[i].shape); }));
   }
 
-  std::vector<float> bend(Choice choice)
+  std::vector<double> bend(Choice choice)
   {
     const Fitted_field& fits = field(choice);
     return pooled(of_each([&](const std::size_t i) { return m_sizes[i] * norm_of_shape(fits[i].shape); }));
   }
 
-  std::vector<float> normals(Choice choice)
+  std::vector<double> normals(Choice choice)
   {
     const Fitted_field& fits = field(choice);
     return pooled(
@@ -545,7 +545,7 @@ private:
         });
   }
 
-  std::vector<float> moves(Choice choice)
+  std::vector<double> moves(Choice choice)
   {
     std::vector<double> of_samples = heights(choice);
     for(double& x : of_samples)
@@ -553,9 +553,9 @@ private:
     return pooled(of_samples);
   }
 
-  std::vector<float> drift(Choice choice) { return pooled(heights(choice)); }
+  std::vector<double> drift(Choice choice) { return pooled(heights(choice)); }
 
-  std::vector<float> irregularity() const
+  std::vector<double> irregularity() const
   {
     return pooled(
         of_each([&](const std::size_t i)
@@ -576,7 +576,7 @@ private:
   std::vector<Index> m_known;                   // those that they are means of,
   std::vector<Index> m_fitted;                  // and those of which it takes fits
   std::array<Fitted_field, number_of_adaptive_candidates> m_fields;
-  std::array<std::vector<float>, number_of_adaptive_statistics> m_statistics;
+  std::array<std::vector<double>, number_of_adaptive_statistics> m_statistics;
 };
 
 } // namespace internal

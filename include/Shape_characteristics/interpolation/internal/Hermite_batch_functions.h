@@ -25,7 +25,7 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Hermite_batch_factorization::solve(), compiled for several instruction sets: once for all basis functions. A template, so that it
+// Hermite_batch_factorization, compiled for several instruction sets: once for all basis functions. A template, so that it
 // is compiled only where it is used.
 template <typename Batch>
 struct Hermite_batch_factorizations
@@ -33,19 +33,35 @@ struct Hermite_batch_factorizations
 #if defined(__GNUC__) && defined(__x86_64__)
   [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void solve_8(Batch& batch)
   {
-    Hermite_batch_factorization<8>::solve(batch);
+    Hermite_batch_factorization<Lanes_of<8> >::solve(batch);
+  }
+
+  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void solve_again_8(Batch& batch)
+  {
+    Hermite_batch_factorization<Lanes_of<8> >::solve_again(batch);
   }
 
   [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void solve_4(Batch& batch)
   {
-    Hermite_batch_factorization<4>::solve(batch);
+    Hermite_batch_factorization<Lanes_of<4> >::solve(batch);
+  }
+
+  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void solve_again_4(Batch& batch)
+  {
+    Hermite_batch_factorization<Lanes_of<4> >::solve_again(batch);
   }
 #endif
 
   template <int n>
   static void solve_plain(Batch& batch)
   {
-    Hermite_batch_factorization<n>::solve(batch);
+    Hermite_batch_factorization<Lanes_of<n> >::solve(batch);
+  }
+
+  template <int n>
+  static void solve_again_plain(Batch& batch)
+  {
+    Hermite_batch_factorization<Lanes_of<n> >::solve_again(batch);
   }
 };
 
@@ -57,81 +73,96 @@ struct Hermite_batch_factorizations
 template <typename RadialBasisFunction>
 struct Hermite_batch_functions
 {
-  using Function = void (*)(Hermite_batch&, const RadialBasisFunction&);
+  using Batch = Hermite_batch;
+  using Function = void (*)(Batch&, const RadialBasisFunction&);
 
   std::size_t lanes;
   Function assemble;
-  void (*solve)(Hermite_batch&); // what was assembled
-  Function evaluate;             // value, gradient, Hessian matrix
-  Function evaluate_value;       // value and gradient
+  void (*solve)(Batch&);       // what was assembled
+  void (*solve_again)(Batch&); // with other right sides
+  Function evaluate;           // value, gradient, Hessian matrix
+  Function evaluate_value;     // value and gradient
 
   // the widest that has no more than `max_lanes` lanes. Not inline: all functions are instantiated with it alone.
-  static Hermite_batch_functions best(std::size_t max_lanes = Hermite_batch::max_lanes);
+  static Hermite_batch_functions best(std::size_t max_lanes = Batch::max_lanes);
 
 private:
-  using Factorizations = Hermite_batch_factorizations<Hermite_batch>;
+  using Factorizations = Hermite_batch_factorizations<Batch>;
 
 #if defined(__GNUC__) && defined(__x86_64__)
-  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void assemble_8(Hermite_batch& batch,
-                                                               const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void assemble_8(Batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_function_on_lanes<8, RadialBasisFunction>::assemble(batch, phi);
+    Hermite_function_on_lanes<Lanes_of<8>, RadialBasisFunction>::assemble(batch, phi);
   }
 
   template <bool with_hessian>
-  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void evaluate_8(Hermite_batch& batch,
-                                                               const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_8_LANES]] static void evaluate_8(Batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_function_on_lanes<8, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+    Hermite_function_on_lanes<Lanes_of<8>, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 
-  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void assemble_4(Hermite_batch& batch,
-                                                               const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void assemble_4(Batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_function_on_lanes<4, RadialBasisFunction>::assemble(batch, phi);
+    Hermite_function_on_lanes<Lanes_of<4>, RadialBasisFunction>::assemble(batch, phi);
   }
 
   template <bool with_hessian>
-  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void evaluate_4(Hermite_batch& batch,
-                                                               const RadialBasisFunction& phi)
+  [[SHAPE_CHARACTERISTICS_FOR_4_LANES]] static void evaluate_4(Batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_function_on_lanes<4, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+    Hermite_function_on_lanes<Lanes_of<4>, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
   }
 #endif
 
   template <int n>
-  static void assemble_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
+  static void assemble_plain(Batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_function_on_lanes<n, RadialBasisFunction>::assemble(batch, phi);
+    Hermite_function_on_lanes<Lanes_of<n>, RadialBasisFunction>::assemble(batch, phi);
   }
 
   template <int n, bool with_hessian>
-  static void evaluate_plain(Hermite_batch& batch, const RadialBasisFunction& phi)
+  static void evaluate_plain(Batch& batch, const RadialBasisFunction& phi)
   {
-    Hermite_function_on_lanes<n, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+    Hermite_function_on_lanes<Lanes_of<n>, RadialBasisFunction>::template evaluate<with_hessian>(batch, phi);
+  }
+
+  template <int n>
+  static Hermite_batch_functions plain()
+  {
+    return {n,
+            assemble_plain<n>,
+            Factorizations::template solve_plain<n>,
+            Factorizations::template solve_again_plain<n>,
+            evaluate_plain<n, true>,
+            evaluate_plain<n, false>};
   }
 };
 
 template <typename RadialBasisFunction>
 Hermite_batch_functions<RadialBasisFunction>
-Hermite_batch_functions<RadialBasisFunction>::best(const std::size_t max_lanes)
+Hermite_batch_functions<RadialBasisFunction>::best([[maybe_unused]] const std::size_t max_lanes)
 {
 #if defined(__GNUC__) && defined(__x86_64__)
   if(max_lanes >= 8 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
      __builtin_cpu_supports("avx512vl"))
-    return {8, assemble_8, Factorizations::solve_8, evaluate_8<true>, evaluate_8<false>};
+    return {8,
+            assemble_8,
+            Factorizations::solve_8,
+            Factorizations::solve_again_8,
+            evaluate_8<true>,
+            evaluate_8<false>};
   if(max_lanes >= 4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return {4, assemble_4, Factorizations::solve_4, evaluate_4<true>, evaluate_4<false>};
+    return {4,
+            assemble_4,
+            Factorizations::solve_4,
+            Factorizations::solve_again_4,
+            evaluate_4<true>,
+            evaluate_4<false>};
 #endif
 #if defined(__GNUC__)
   if(max_lanes >= 2)
-    return {2, assemble_plain<2>, Factorizations::template solve_plain<2>, evaluate_plain<2, true>,
-            evaluate_plain<2, false>};
-#else
-  (void)max_lanes;
+    return plain<2>();
 #endif
-  return {1, assemble_plain<1>, Factorizations::template solve_plain<1>, evaluate_plain<1, true>,
-          evaluate_plain<1, false>};
+  return plain<1>();
 }
 
 #ifdef SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED

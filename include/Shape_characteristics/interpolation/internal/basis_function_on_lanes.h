@@ -15,7 +15,8 @@ namespace internal {
   A positive definite basis function and its radial derivatives, divided by -A(0), on lanes, without what the first two are
   at the origin: psi = phi - phi(0) + q / 2, P = A + 1, B, C at q = r^2. They are found without cancellation, so that small
   ones have as many digits as others. `C` is left alone unless `with_third`. `is_near` says that no q is larger than
-  `near`, which saves time. Functions with a shape parameter have that of 1: the points were scaled instead.
+  `near`, which saves time; `is_extended` that they are found on an Extended_lane, too. Functions with a shape parameter have that
+  of 1: the points were scaled instead.
 
   This one serves any basis function, by its scalar member, from which it has to subtract; those below are those of the
   defaults.
@@ -25,6 +26,7 @@ class Basis_function_on_lanes
 {
 public:
   static constexpr double near = 0.;
+  static constexpr bool is_extended = false;
 
   explicit Basis_function_on_lanes(const RadialBasisFunction& phi)
     : m_phi(phi),
@@ -66,6 +68,7 @@ class Basis_function_on_lanes<Inverse_multiquadric>
 {
 public:
   static constexpr double near = 0.;
+  static constexpr bool is_extended = true;
 
   explicit Basis_function_on_lanes(const Inverse_multiquadric&) {}
 
@@ -92,6 +95,7 @@ class Basis_function_on_lanes<Matern_9_2>
 {
 public:
   static constexpr double near = 4.;
+  static constexpr bool is_extended = true;
 
   explicit Basis_function_on_lanes(const Matern_9_2&) {}
 
