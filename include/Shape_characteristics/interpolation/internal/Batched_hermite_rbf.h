@@ -227,15 +227,15 @@ private:
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
-  // Rounding is seen in large weights, more so where neighbors are on one side and what they say is continued to the center, or to
-  // samples that the fit serves as well. So large as a multiple of the curvature, both in units of the neighborhood's size: measured
-  // when points of waves and of polynomials were scaled. Inexact normals hardly let it be seen elsewhere.
-  static constexpr double s_large_exact_weight = 7e4, s_large_one_sided_exact_weight = 1e4,
-                          s_large_one_sided_noisy_weight = 1e5;
-  static constexpr double s_large_part = 0.2; // of a large weight: large in an exact fit that serves others
+  // Rounding is seen in large weights, more so where neighbors are on one side and what they say is continued to the center. So large
+  // as a multiple of the curvature, both in units of the neighborhood's size: measured when points of waves and of polynomials were
+  // scaled. Inexact normals hardly let it be seen elsewhere.
+  static constexpr double s_large_exact_weight = 1.2e5, s_large_one_sided_exact_weight = 1e4,
+                          s_large_one_sided_noisy_weight = 8e4;
   static constexpr double s_usual_weight = 500.; // that isn't large, however flat the surface
-  // least distance of the centroid from the center, where neighbors are on one side of it, or of what the fit serves
-  static constexpr double s_one_sided = 0.4, s_one_sided_of_served = 0.15;
+  static constexpr double s_one_sided = 0.35;    // least distance of the centroid from the center
+  // the same, and a part of a large weight, where a fit may serve samples at a border that isn't known, as in point sets
+  static constexpr double s_one_sided_at_border = 0.08, s_large_part_at_border = 0.2;
 
   static RadialBasisFunction unit_shape(const RadialBasisFunction& phi)
   {
@@ -597,18 +597,19 @@ private:
   // to be exact, it hardly matters, but at borders.
   bool is_rounded(const Task& task, const Hermite_batch& batch, std::size_t lane) const
   {
-    const bool serves_others = task.number_of_served > 1;
+    const bool may_serve_border =
+        task.number_of_served > 1 && m_surface.neighborhood().kind() != Neighborhood::Kind::RINGS;
     const bool is_one_sided =
-        task.distance_of_centroid > (serves_others ? s_one_sided_of_served : s_one_sided);
+        task.distance_of_centroid > (may_serve_border ? s_one_sided_at_border : s_one_sided);
     double large = s_large_one_sided_noisy_weight;
     if(m_options.normals_are_exact)
     {
       if(!is_one_sided && Exact_fit_attempts::are_inexact(
                               batch.residual[lane], batch.mahalanobis_square[lane], task.number_of_points))
         return false;
-      large = is_one_sided ? s_large_one_sided_exact_weight : s_large_exact_weight;
-      if(serves_others)
-        large *= s_large_part;
+      large = !is_one_sided      ? s_large_exact_weight
+              : may_serve_border ? s_large_part_at_border * s_large_one_sided_exact_weight
+                                 : s_large_one_sided_exact_weight;
     }
     else if(!is_one_sided)
       return false;
