@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -419,7 +420,8 @@ private:
                   const Workspace& workspace) const
   {
     batch.clear(lanes, task_of(0, first, last, workspace).number_of_points,
-                m_options.normals_are_exact ? Hermite_equations::TANGENTS : Hermite_equations::GRADIENTS);
+                m_options.normals_are_exact ? Hermite_equations::TANGENTS : Hermite_equations::GRADIENTS,
+                std::is_same_v<Batch, Hermite_batch>); // an extended one is only evaluated
     for(std::size_t lane = 0; lane < lanes; ++lane)
       fill_lane(task_of(lane, first, last, workspace), batch, lane, workspace);
   }

@@ -39,8 +39,8 @@ public:
 
   Basic_hermite_batch() { m_memory.resize(1); }
 
-  // begins with a batch for up to `max_centers` centers in each of `lanes` systems
-  void clear(std::size_t lanes, std::size_t max_centers, Hermite_equations equations)
+  // begins with a batch for up to `max_centers` centers in each of `lanes` systems; `has_matrix`: what is only evaluated needs none
+  void clear(std::size_t lanes, std::size_t max_centers, Hermite_equations equations, bool has_matrix = true)
   {
     m_lanes = lanes;
     m_centers = max_centers;
@@ -55,9 +55,9 @@ public:
                                               4,                                   // counts, noise, unit
                                               4 * panels * right_sides,            // solution, noise
                                               4 * max_centers,                     // weights
-                                              3 * max_centers + 5,        // at the first center, polynomial
-                                              3 + s_jet,                  // evaluation
-                                              8 * panels * (panels + 1)}; // matrix
+                                              3 * max_centers + 5, // at the first center, polynomial
+                                              3 + s_jet,           // evaluation
+                                              has_matrix ? panel(panels) : 0}; // matrix
     std::size_t size = 0;
     for(const std::size_t s : sizes)
       size += s * lanes;
