@@ -69,17 +69,22 @@ std::function<void(Fits&)> plain(const Samples& samples, const RadialBasisFuncti
 }
 
 template <typename RadialBasisFunction>
-std::function<void(Fits&)>
-batched(const Samples& samples, const RadialBasisFunction& phi, bool exact, std::size_t lanes, bool shared)
+std::function<void(Fits&)> batched(const Samples& samples,
+                                   const RadialBasisFunction& phi,
+                                   bool exact,
+                                   std::size_t lanes,
+                                   bool shared,
+                                   bool refined = false)
 {
   using Fit = SC::internal::Batched_hermite_rbf<Samples, RadialBasisFunction>;
-  return [&samples, phi, exact, lanes, shared](Fits& fits)
+  return [&samples, phi, exact, lanes, shared, refined](Fits& fits)
   {
     const std::size_t patch_size =
         SC::internal::Sample_patches::patch_size_for(samples.size(), exact ? 4 : 8);
     typename Fit::Options options;
     options.normals_are_exact = exact;
     options.fits_are_shared = shared;
+    options.large_weights_are_refined = refined;
     const Fit fit(samples, phi, options, lanes);
     auto patches = SC::internal::Sample_patches::compact(samples, patch_size);
     SC::internal::for_each_patch<CGAL::Sequential_tag>(
@@ -188,11 +193,13 @@ int main(int argc, char* argv[])
       {"... 8 side by side (AVX-512)", batched(with_exact, multiquadric, true, 8, false)},
       {"a fit serves the samples near its center, 4 side by side",
        batched(with_exact, multiquadric, true, 4, true)},
-      {"... 8 side by side", batched(with_exact, multiquadric, true, 8, true)}};
+      {"... 8 side by side", batched(with_exact, multiquadric, true, 8, true)},
+      {"... and large weights are refined", batched(with_exact, multiquadric, true, 8, true, true)}};
   std::vector<Technique> of_estimated = {
       {"4m equations, positive definite, Cholesky", plain(with_estimated, matern, false)},
       {"batches, 8 side by side", batched(with_estimated, matern, false, 8, false)},
-      {"a fit serves the samples near its center", batched(with_estimated, matern, false, 8, true)}};
+      {"a fit serves the samples near its center", batched(with_estimated, matern, false, 8, true)},
+      {"... and large weights are refined", batched(with_estimated, matern, false, 8, true, true)}};
   std::cout << "f1e, " << points << " random points, 2 rings; this processor runs "
             << SC::internal::Hermite_batch_functions<SC::Matern_9_2>::best().lanes << " fits side by side.\n";
   print("Exact normals", of_exact, exact, repetitions);

@@ -5,7 +5,6 @@
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
-#include <Shape_characteristics/interpolation/internal/Extended_hermite_functions.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
@@ -21,7 +20,6 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,8 +39,6 @@ class Batched_hermite_rbf
 {
   using Vector = Eigen::Vector3d;
   using Index = std::uint32_t;
-  using Extended_functions = Extended_hermite_functions<RadialBasisFunction>;
-  using Extended_batch = typename Extended_functions::Batch;
 
   // a fit to be made
   struct Task
@@ -52,7 +48,7 @@ class Batched_hermite_rbf
     Estimation_status status;
     double scale;
     double shape_parameter;
-    double distance_of_centroid; // from the center
+    double distance_of_centroid; // from the center, in units of the neighborhood's size
     Vector trend;
     Exact_fit_attempts exact;
     Noisy_fit_attempts noisy;
@@ -72,8 +68,6 @@ class Batched_hermite_rbf
     Index point; // of the task's
   };
 
-  using Lane_set = std::array<bool, Hermite_batch::max_lanes>;
-
 public:
   using Output = Hermite_fit_output;
 
@@ -84,6 +78,7 @@ public:
     double noise_level = 1e-6;        // see Local_hermite_rbf
     double normal_noise_level = Noisy_fit_attempts::default_normal_noise_level;
     bool fits_are_shared = true;
+    bool large_weights_are_refined = true;
   };
 
   class Workspace
@@ -99,8 +94,6 @@ public:
     std::vector<Index> m_order; // tasks by size
     std::vector<Index> m_left;  // samples for which the fit of another was not good enough
     Hermite_batch m_batch;
-    std::vector<Extended_batch> m_extended_batches; // of a lane each
-    std::vector<double> m_remainder;
   };
 
   // `max_lanes`: fits side by side, at most
@@ -200,7 +193,7 @@ public:
     for(std::size_t first = 0; first < workspace.m_tasks.size(); first += lanes)
     {
       const std::size_t last = (std::min)(first + lanes, workspace.m_tasks.size());
-      fill_batch(batch, lanes, first, last, workspace);
+      fill_batch(first, last, workspace);
       batch.wants_log_likelihood = true;
       m_functions.assemble(batch, m_unit_phi);
       m_functions.solve(batch);
@@ -228,15 +221,11 @@ private:
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
-  // Rounding is seen in large weights, more so where neighbors are on one side and what they say is continued to the center. So large
-  // as a multiple of the curvature, both in units of the neighborhood's size: measured when points of waves and of polynomials were
-  // scaled. Inexact normals hardly let it be seen elsewhere.
-  static constexpr double s_large_exact_weight = 1.2e5, s_large_one_sided_exact_weight = 1e4,
-                          s_large_one_sided_noisy_weight = 8e4;
-  static constexpr double s_usual_weight = 500.; // that isn't large, however flat the surface
-  static constexpr double s_one_sided = 0.35;    // least distance of the centroid from the center
-  // the same, and a part of a large weight, where a fit may serve samples at a border that isn't known, as in point sets
-  static constexpr double s_one_sided_at_border = 0.08, s_large_part_at_border = 0.2;
+  // Rounding is seen in weights that are so large, in units of the neighborhood's size: measured when points of waves and of polynomials
+  // were scaled. With exact normals, more so where neighbors are on one side and what they say is continued.
+  static constexpr double s_large_exact_weight = 1e4, s_large_one_sided_exact_weight = 2e3,
+                          s_large_noisy_weight = 5e4;
+  static constexpr double s_one_sided = 0.35; // least distance of the centroid from the center
 
   static RadialBasisFunction unit_shape(const RadialBasisFunction& phi)
   {
@@ -257,7 +246,7 @@ private:
       return;
     const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
     // Near a border, which point sets know nothing of, all the neighbors are on one side.
-    if(distance_of_centroid(neighborhood) > s_imbalance)
+    if(task.distance_of_centroid > s_imbalance)
       return;
     const auto number = Index(workspace.m_tasks.size() - 1);
     const Reach& reach = m_options.normals_are_exact ? s_exact_reach : s_noisy_reach;
@@ -411,25 +400,20 @@ private:
     return workspace.m_tasks[workspace.m_order[(std::min)(first + lane, last - 1)]];
   }
 
-  // sets up the tasks from `m_order[first]`, the largest, to `m_order[last - 1]` in a batch of so many lanes
-  template <typename Batch>
-  void fill_batch(Batch& batch,
-                  std::size_t lanes,
-                  std::size_t first,
-                  std::size_t last,
-                  const Workspace& workspace) const
+  // sets up the tasks from `m_order[first]`, the largest, to `m_order[last - 1]` in a batch
+  void fill_batch(std::size_t first, std::size_t last, Workspace& workspace) const
   {
-    batch.clear(lanes, task_of(0, first, last, workspace).number_of_points,
-                m_options.normals_are_exact ? Hermite_equations::TANGENTS : Hermite_equations::GRADIENTS,
-                std::is_same_v<Batch, Hermite_batch>); // an extended one is only evaluated
-    for(std::size_t lane = 0; lane < lanes; ++lane)
-      fill_lane(task_of(lane, first, last, workspace), batch, lane, workspace);
+    Hermite_batch& batch = workspace.m_batch;
+    batch.clear(m_functions.lanes, task_of(0, first, last, workspace).number_of_points,
+                m_options.normals_are_exact ? Hermite_equations::TANGENTS : Hermite_equations::GRADIENTS);
+    for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
+      fill_lane(task_of(lane, first, last, workspace), lane, workspace);
   }
 
   // data of a task, its points scaled by the shape parameter: values are so as well
-  template <typename Batch>
-  void fill_lane(const Task& task, Batch& batch, std::size_t lane, const Workspace& workspace) const
+  void fill_lane(const Task& task, std::size_t lane, Workspace& workspace) const
   {
+    Hermite_batch& batch = workspace.m_batch;
     const double unit = task.shape_parameter;
     const Vector* const points = workspace.m_points.data() + task.first_point;
     const Vector* const normals = workspace.m_normals.data() + task.first_point;
@@ -452,42 +436,21 @@ private:
   void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const
   {
     Hermite_batch& batch = workspace.m_batch;
-    fill_batch(batch, m_functions.lanes, first, last, workspace);
+    fill_batch(first, last, workspace);
     batch.wants_log_likelihood = false;
     m_functions.assemble(batch, m_unit_phi);
     m_functions.solve(batch);
-    evaluate_at_centers(m_functions, batch);
 
-    Lane_set is_done{};
-    for(std::size_t lane = 0; first + lane < last; ++lane)
-      is_done[lane] = postpone(task_of(lane, first, last, workspace), lane, workspace);
-    if constexpr(Extended_functions::are_useful)
-      refine(first, last, is_done, workspace, output);
-    give_answers(m_functions, batch, first, last, is_done, workspace, output);
-  }
-
-  template <typename Functions>
-  void evaluate_at_centers(const Functions& functions, typename Functions::Batch& batch) const
-  {
-    for(std::size_t lane = 0; lane < functions.lanes; ++lane)
-      batch.set_vector(batch.where, 0, lane, Vector::Zero());
-    functions.evaluate(batch, m_unit_phi);
-  }
-
-  // the answers of a batch that was solved, and evaluated at the centers, but for lanes that are done
-  template <typename Functions>
-  void give_answers(const Functions& functions,
-                    typename Functions::Batch& batch,
-                    std::size_t first,
-                    std::size_t last,
-                    const Lane_set& is_done,
-                    Workspace& workspace,
-                    const Output& output) const
-  {
+    std::array<bool, Hermite_batch::max_lanes> is_postponed{};
     std::size_t most_served = 0;
     for(std::size_t lane = 0; first + lane < last; ++lane)
-      if(!is_done[lane])
-        most_served = (std::max)(most_served, task_of(lane, first, last, workspace).number_of_served);
+    {
+      const Task& task = task_of(lane, first, last, workspace);
+      is_postponed[lane] = postpone(task, lane, workspace);
+      if(!is_postponed[lane])
+        most_served = (std::max)(most_served, task.number_of_served);
+    }
+    refine(is_postponed, first, last, workspace);
     for(std::size_t s = 0; s < most_served; ++s)
     {
       std::array<Vector, Hermite_batch::max_lanes> displacement;
@@ -499,23 +462,22 @@ private:
           x += workspace.m_points[task.first_point + workspace.m_served[task.first_served + s].point];
         batch.set_vector(batch.where, 0, lane, task.shape_parameter * x);
       };
-      for(std::size_t lane = 0; lane < functions.lanes; ++lane)
+      for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
       {
         displacement[lane].setZero();
         set_where(lane);
       }
-      if(s > 0)
-        functions.evaluate(batch, m_unit_phi);
+      m_functions.evaluate(batch, m_unit_phi);
       if(!m_options.normals_are_exact)
       {
-        Lane_set moves{};
+        std::array<bool, Hermite_batch::max_lanes> moves{};
         const auto step = [&](const std::size_t lane)
         {
           Hermite_jet jet = batch.jet_of(lane);
           jet.value /= task_of(lane, first, last, workspace).shape_parameter;
           step_to_zero_set(jet, displacement[lane]);
         };
-        for(std::size_t lane = 0; lane < functions.lanes; ++lane)
+        for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
         {
           step(lane);
           moves[lane] = !is_negligible(displacement[lane]);
@@ -524,100 +486,55 @@ private:
         }
         if(std::find(moves.begin(), moves.end(), true) != moves.end())
         {
-          functions.evaluate_value(batch, m_unit_phi);
-          for(std::size_t lane = 0; lane < functions.lanes; ++lane)
+          m_functions.evaluate_value(batch, m_unit_phi);
+          for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
             if(moves[lane])
             {
               step(lane);
               set_where(lane);
             }
-          functions.evaluate(batch, m_unit_phi); // where nothing moved, with the same result
+          m_functions.evaluate(batch, m_unit_phi); // where nothing moved, with the same result
         }
       }
       for(std::size_t lane = 0; first + lane < last; ++lane)
         if(const Task& task = task_of(lane, first, last, workspace);
-           s < task.number_of_served && !is_done[lane])
-          answer(task, s, batch, lane, displacement[lane], workspace, output);
+           s < task.number_of_served && !is_postponed[lane])
+          answer(task, s, lane, displacement[lane], workspace, output);
     }
   }
 
-  // Corrects with more digits the solutions of those lanes in which rounding would be seen, and gives their answers. The factor that
-  // was found without them takes away nearly all of what a solution leaves of the right side, if that is known with more digits: once
-  // is enough.
-  void refine(std::size_t first,
+  // the solutions of those lanes in which rounding would be seen
+  void refine(const std::array<bool, Hermite_batch::max_lanes>& is_postponed,
+              std::size_t first,
               std::size_t last,
-              Lane_set& is_done,
-              Workspace& workspace,
-              const Output& output) const
+              Workspace& workspace) const
   {
     Hermite_batch& batch = workspace.m_batch;
-    Lane_set is_refined{};
-    for(std::size_t lane = 0; first + lane < last; ++lane)
-      is_refined[lane] = !is_done[lane] && batch.is_positive_definite[lane] != 0. &&
-                         is_rounded(task_of(lane, first, last, workspace), batch, lane);
-    if(std::find(is_refined.begin(), is_refined.end(), true) == is_refined.end())
-      return;
-
-    // the right sides become what is left of them
-    const Extended_functions functions;
-    const std::size_t size = 4 * batch.panels;
-    workspace.m_extended_batches.resize(m_functions.lanes);
-    std::vector<double>& remainder = workspace.m_remainder;
+    bool is_any = false;
     for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
     {
-      if(is_refined[lane])
-      {
-        Extended_batch& extended = workspace.m_extended_batches[lane];
-        fill_batch(extended, functions.lanes, first + lane, first + lane + 1, workspace);
-        functions.prepare(extended, m_unit_phi);
-        for(std::size_t r = 0; r < extended.number_of_equations; ++r)
-          extended.solution[r] = batch.get(batch.solution, r, lane);
-        functions.take_solution(extended);
-        functions.find_remainder(extended, m_unit_phi, remainder);
-      }
-      else
-        remainder.clear();
-      for(std::size_t r = 0; r < size; ++r)
-        batch.set(batch.solution, r, lane, r < remainder.size() ? remainder[r] : 0.);
+      const bool is_refined =
+          !is_postponed[lane] && has_large_weights(task_of(lane, first, last, workspace), batch, lane);
+      batch.is_refined[lane] = is_refined ? 1. : 0.;
+      is_any = is_any || is_refined;
     }
-    m_functions.solve_again(batch);
-    for(std::size_t lane = 0; first + lane < last; ++lane)
-      if(is_refined[lane])
-      {
-        Extended_batch& extended = workspace.m_extended_batches[lane];
-        for(std::size_t r = 0; r < extended.number_of_equations; ++r)
-          extended.solution[r] += batch.get(batch.solution, r, lane);
-        functions.take_solution(extended);
-        extended.is_positive_definite[0] = 1.;
-        evaluate_at_centers(functions, extended);
-        give_answers(functions, extended, first + lane, first + lane + 1, Lane_set{}, workspace, output);
-        is_done[lane] = true;
-      }
+    if(is_any)
+      m_functions.refine(batch, m_unit_phi);
   }
 
-  // Whether rounding may change the curvatures at the center by more than some 1e-10 of themselves. Where exact normals turned out not
-  // to be exact, it hardly matters, but at borders.
-  bool is_rounded(const Task& task, const Hermite_batch& batch, std::size_t lane) const
+  bool has_large_weights(const Task& task, const Hermite_batch& batch, std::size_t lane) const
   {
-    const bool may_serve_border =
-        task.number_of_served > 1 && m_surface.neighborhood().kind() != Neighborhood::Kind::RINGS;
-    const bool is_one_sided =
-        task.distance_of_centroid > (may_serve_border ? s_one_sided_at_border : s_one_sided);
-    double large = s_large_one_sided_noisy_weight;
+    double large = s_large_noisy_weight;
     if(m_options.normals_are_exact)
     {
-      if(!is_one_sided && Exact_fit_attempts::are_inexact(
-                              batch.residual[lane], batch.mahalanobis_square[lane], task.number_of_points))
-        return false;
-      large = !is_one_sided      ? s_large_exact_weight
-              : may_serve_border ? s_large_part_at_border * s_large_one_sided_exact_weight
-                                 : s_large_one_sided_exact_weight;
+      // The samples that it serves may be at a border, which point sets know nothing of.
+      const bool may_serve_border =
+          task.number_of_served > 1 && m_surface.neighborhood().kind() != Neighborhood::Kind::RINGS;
+      large = may_serve_border || task.distance_of_centroid > s_one_sided ? s_large_one_sided_exact_weight
+                                                                          : s_large_exact_weight;
     }
-    else if(!is_one_sided)
-      return false;
-    const double unit = task.shape_parameter, weight = unit * std::sqrt(batch.weight_square[lane]);
-    const double curvature = unit * batch.quality_of(lane).largest_curvature;
-    return weight > (std::max)(s_usual_weight, large * curvature);
+    return m_options.large_weights_are_refined && batch.is_positive_definite[lane] != 0. &&
+           task.shape_parameter * std::sqrt(batch.weight_square[lane]) > large;
   }
 
   // whether the normals turned out not to be exact: there is another attempt, for all that the task serves
@@ -635,20 +552,18 @@ private:
   }
 
   // gives the answer of a fit for the `s`-th sample it serves, or sees to it that there is another attempt
-  template <typename Batch>
   void answer(const Task& task,
               std::size_t s,
-              const Batch& batch,
               std::size_t lane,
               const Vector& displacement,
               Workspace& workspace,
               const Output& output) const
   {
     const Served served = workspace.m_served[task.first_served + s];
-    const bool is_solved = batch.is_positive_definite[lane] != 0.;
+    const bool is_solved = workspace.m_batch.is_positive_definite[lane] != 0.;
     const double unit = task.shape_parameter;
-    const Vector gradient = batch.gradient_of(lane);
-    Fit_quality quality = batch.quality_of(lane);
+    const Vector gradient = workspace.m_batch.gradient_of(lane);
+    Fit_quality quality = workspace.m_batch.quality_of(lane);
     quality.largest_curvature *= unit;
     bool is_surface = false, is_accepted = false;
     if(is_solved && std::isfinite(quality.gradient_length) && std::isfinite(quality.largest_curvature))
@@ -685,13 +600,13 @@ private:
     const double factor = unit / task.scale;
     if(output.curvatures)
     {
-      output.curvatures(served.sample, status, batch.curvatures_of(lane, factor));
+      output.curvatures(served.sample, status, workspace.m_batch.curvatures_of(lane, factor));
       return;
     }
     Local_implicit_surface result;
     result.status = status;
     result.gradient = gradient;
-    result.hessian = batch.jet_of(lane).hessian * factor;
+    result.hessian = workspace.m_batch.jet_of(lane).hessian * factor;
     result.displacement = task.scale * displacement;
     output.surface(served.sample, result);
   }

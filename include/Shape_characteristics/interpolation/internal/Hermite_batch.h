@@ -31,16 +31,15 @@ enum class Hermite_equations
   A lane with fewer centers than the others computes with zeros for those it lacks, which leaves its result as it is,
   to the last bit.
 */
-template <typename Number>
-class Basic_hermite_batch
+class Hermite_batch
 {
 public:
   static constexpr std::size_t max_lanes = 8;
 
-  Basic_hermite_batch() { m_memory.resize(1); }
+  Hermite_batch() { m_memory.resize(1); }
 
-  // begins with a batch for up to `max_centers` centers in each of `lanes` systems; `has_matrix`: what is only evaluated needs none
-  void clear(std::size_t lanes, std::size_t max_centers, Hermite_equations equations, bool has_matrix = true)
+  // begins with a batch for up to `max_centers` centers in each of `lanes` systems
+  void clear(std::size_t lanes, std::size_t max_centers, Hermite_equations equations)
   {
     m_lanes = lanes;
     m_centers = max_centers;
@@ -49,24 +48,25 @@ public:
     panels = (number_of_equations + 3) / 4;
     const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 8 * max_centers : 0;
     const std::size_t right_sides = equations == Hermite_equations::TANGENTS ? 1 : 4;
-    const std::array<std::size_t, 9> sizes = {6 * max_centers, // points, normals
-                                              tangents_size,
-                                              3 + Height_polynomial<Number>::size, // trend, bend
-                                              4,                                   // counts, noise, unit
-                                              4 * panels * right_sides,            // solution, noise
-                                              4 * max_centers,                     // weights
-                                              3 * max_centers + 5, // at the first center, polynomial
-                                              3 + s_jet,           // evaluation
-                                              has_matrix ? panel(panels) : 0}; // matrix
+    const std::array<std::size_t, 10> sizes = {6 * max_centers, // points, normals
+                                               tangents_size,
+                                               3 + Height_polynomial<double>::size, // trend, bend
+                                               4,                                   // counts, noise, unit
+                                               4 * panels * right_sides,            // solution, noise
+                                               4 * max_centers,                     // weights
+                                               3 * max_centers + 5,       // at the first center, polynomial
+                                               3 + s_jet,                 // evaluation
+                                               8 * panels * (panels + 1), // matrix
+                                               8 * panels + 16 * max_centers + 10}; // refinement
     std::size_t size = 0;
     for(const std::size_t s : sizes)
       size += s * lanes;
     if(m_memory.size() * s_line < size + s_line)
       m_memory.resize(size / s_line + 2);
-    Number* begin = m_memory[0].numbers;
+    double* begin = m_memory[0].numbers;
     const auto next = [&](const std::size_t k)
     {
-      Number* result = begin;
+      double* result = begin;
       begin += sizes[k] * lanes;
       return result;
     };
@@ -88,6 +88,11 @@ public:
     where = next(7);
     jet = where + 3 * lanes;
     matrix = next(8);
+    right_side = next(9);
+    known = right_side + 4 * panels * lanes;
+    exact_weights = known + 4 * panels * lanes;
+    jets_at_centers = exact_weights + 8 * max_centers * lanes;
+    exact_polynomial = jets_at_centers + 8 * max_centers * lanes;
     smallest_count = max_centers;
   }
 
@@ -96,17 +101,14 @@ public:
   [[gnu::always_inline]] std::size_t centers() const { return m_centers; }
   [[gnu::always_inline]] Hermite_equations equations() const { return m_equations; }
 
-  void set(Number* array, std::size_t k, std::size_t lane, Number value)
+  void set(double* array, std::size_t k, std::size_t lane, double value)
   {
     array[k * m_lanes + lane] = value;
   }
-  double get(const Number* array, std::size_t k, std::size_t lane) const
-  {
-    return double(array[k * m_lanes + lane]);
-  }
+  double get(const double* array, std::size_t k, std::size_t lane) const { return array[k * m_lanes + lane]; }
 
   // three numbers from number `k` on
-  void set_vector(Number* array, std::size_t k, std::size_t lane, const Eigen::Vector3d& v)
+  void set_vector(double* array, std::size_t k, std::size_t lane, const Eigen::Vector3d& v)
   {
     set(array, k, lane, v.x());
     set(array, k + 1, lane, v.y());
@@ -165,43 +167,51 @@ public:
 
   std::size_t number_of_equations = 0, panels = 0;
   bool wants_log_likelihood = false;
-  Number radius = 0;                // largest distance of a center from the first
+  double radius = 0.;               // largest distance of a center from the first
   std::size_t smallest_count = 0;   // centers that no lane lacks
-  Number* points = nullptr;         // 3 numbers for each center
-  Number* normals = nullptr;        // 3 numbers for each center
-  Number* tangents = nullptr;       // of TANGENTS: 6 numbers for each center, found from the normals
-  Number* along_tangents = nullptr; // of TANGENTS: how far each center lies along its tangents, 2 numbers
-  Number* trend = nullptr;          // 3 numbers; of TANGENTS also the normal of the first center
-  Number* bend = nullptr;           // of TANGENTS: Height_polynomial over the tangents of the first center
-  Number* count = nullptr;          // number of centers
-  Number* value_noise = nullptr;    // variances of the data
-  Number* derivative_noise = nullptr;
-  Number* unit = nullptr; // root mean square distance of the points from the first
-  Number* solution = nullptr;
+  double* points = nullptr;         // 3 numbers for each center
+  double* normals = nullptr;        // 3 numbers for each center
+  double* tangents = nullptr;       // of TANGENTS: 6 numbers for each center, found from the normals
+  double* along_tangents = nullptr; // of TANGENTS: how far each center lies along its tangents, 2 numbers
+  double* trend = nullptr;          // 3 numbers; of TANGENTS also the normal of the first center
+  double* bend = nullptr;           // of TANGENTS: Height_polynomial over the tangents of the first center
+  double* count = nullptr;          // number of centers
+  double* value_noise = nullptr;    // variances of the data
+  double* derivative_noise = nullptr;
+  double* unit = nullptr; // root mean square distance of the points from the first
+  double* solution = nullptr;
   // of GRADIENTS: how much of the noise of each derivative at the first center is in an equation, 3 right sides more; the matrix
   // leaves it out
-  Number* first_noise = nullptr;
-  Number* weights = nullptr;    // of the basis function and its gradient: 4 numbers for each center
-  Number* at_first = nullptr;   // psi, P and B of Basis_function_on_lanes between each center and the first
-  Number* polynomial = nullptr; // what the weights leave out: constant, linear and quadratic terms, 5 numbers
-  Number* where = nullptr;      // point to evaluate at
-  Number* jet = nullptr;        // what was evaluated there
-  Number* matrix = nullptr;     // after solving: its Cholesky factor, with inverse diagonal
-  alignas(64) std::array<Number, max_lanes> is_positive_definite{}; // after solving: 1 or 0
-  alignas(64) std::array<Number, max_lanes> log_likelihood{}; // after solving, if wanted: up to a constant
+  double* first_noise = nullptr;
+  double* weights = nullptr;    // of the basis function and its gradient: 4 numbers for each center
+  double* at_first = nullptr;   // psi, P and B of Basis_function_on_lanes between each center and the first
+  double* polynomial = nullptr; // what the weights leave out: constant, linear and quadratic terms, 5 numbers
+  double* where = nullptr;      // point to evaluate at
+  double* jet = nullptr;        // what was evaluated there
+  double* matrix = nullptr;     // after solving: its Cholesky factor, with inverse diagonal
+  double* right_side = nullptr; // what `solution` was before
+  // of Hermite_refinement_on_lanes: the solution it was given; then numbers with more digits: the weights and the polynomial, and
+  // what function and noise are at each center (value and gradient)
+  double* known = nullptr;
+  double* exact_weights = nullptr;
+  double* exact_polynomial = nullptr;
+  double* jets_at_centers = nullptr;
+  alignas(64) std::array<double, max_lanes> is_refined{};           // which solutions are to be: 1 or 0
+  alignas(64) std::array<double, max_lanes> is_positive_definite{}; // after solving: 1 or 0
+  alignas(64) std::array<double, max_lanes> log_likelihood{}; // after solving, if wanted: up to a constant
   // after solving: of the data from the trend; on average the number of equations, if their covariance is what the matrix says
-  alignas(64) std::array<Number, max_lanes> mahalanobis_square{};
+  alignas(64) std::array<double, max_lanes> mahalanobis_square{};
   // after solving: the sum of the squares of the weights, but of those of the first center
-  alignas(64) std::array<Number, max_lanes> weight_square{};
+  alignas(64) std::array<double, max_lanes> weight_square{};
   // after solving: what the function leaves of the data, but at the first center, as a sum of squares, each divided
   // by the variance of its noise
-  alignas(64) std::array<Number, max_lanes> residual{};
+  alignas(64) std::array<double, max_lanes> residual{};
 
 private:
-  static constexpr std::size_t s_line = 64 / sizeof(Number);
+  static constexpr std::size_t s_line = 8;
   struct alignas(64) Line
   {
-    Number numbers[s_line];
+    double numbers[s_line];
   };
 
   std::size_t m_lanes = 1;
@@ -209,8 +219,6 @@ private:
   Hermite_equations m_equations = Hermite_equations::TANGENTS;
   std::vector<Line> m_memory;
 };
-
-using Hermite_batch = Basic_hermite_batch<double>;
 
 } // namespace internal
 } // namespace Shape_characteristics

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 
 namespace Shape_characteristics {
@@ -22,22 +21,21 @@ namespace internal {
   that the cache has room for: what lies to the right of a block is updated once it is known. The order of all sums is that of the
   columns, as without blocks.
 */
-template <typename Width>
+template <int n>
 class Hermite_batch_factorization
 {
-  using Number = typename Width::Number;
-  using V = typename Width::type;
-  using Batch = Basic_hermite_batch<Number>;
+  using V = Lanes<n>;
 
 public:
-  [[gnu::always_inline]] static void solve(Batch& batch)
+  [[gnu::always_inline]] static void solve(Hermite_batch& batch)
   {
     factorize(batch);
-    take_solution(batch);
+    find_residual(batch);
+    collect_weights(batch);
   }
 
   // After solve(): `batch.solution` are other right sides, and become their solutions. All else stays as it is.
-  [[gnu::always_inline]] static void solve_again(Batch& batch)
+  [[gnu::always_inline]] static void solve_again(Hermite_batch& batch)
   {
     for(std::size_t p = 0; p < batch.panels; ++p)
       substitute_forward(vectors(batch.matrix), p, vectors(batch.solution), 0, std::make_index_sequence<4>());
@@ -47,17 +45,10 @@ public:
     substitute_backward(batch);
   }
 
-  // what a solution says, wherever it comes from
-  [[gnu::always_inline]] static void take_solution(Batch& batch)
-  {
-    find_residual(batch);
-    collect_weights(batch);
-  }
-
 private:
   static constexpr std::size_t s_block = 16; // panels: a group of tiles is updated with 128 KB, with 4 lanes
 
-  [[gnu::always_inline]] static V* vectors(Number* numbers) { return reinterpret_cast<V*>(numbers); }
+  [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
   // Loads what is multiplied several times into a register. Left to itself, GCC reads it again for each product: more often than it
   // multiplies, and the processor does as many of both at a time.
@@ -65,8 +56,7 @@ private:
   {
     into = number;
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-    if constexpr(std::is_same_v<Number, double>)
-      asm("" : "+v"(into));
+    asm("" : "+v"(into));
 #endif
   }
 
@@ -127,11 +117,11 @@ private:
   [[gnu::always_inline]] static void
   update_tile(V* matrix, std::size_t p, std::size_t q, std::size_t begin, std::size_t end)
   {
-    const V* const rows = matrix + Batch::panel(p) + 16 * begin;
-    const V* const columns = matrix + Batch::panel(q) + 16 * begin;
-    V* const tile = matrix + Batch::panel(p) + 16 * q;
+    const V* const rows = matrix + Hermite_batch::panel(p) + 16 * begin;
+    const V* const columns = matrix + Hermite_batch::panel(q) + 16 * begin;
+    V* const tile = matrix + Hermite_batch::panel(p) + 16 * q;
     const std::size_t length = 4 * (end - begin);
-    if constexpr(Width::size == 8)
+    if constexpr(n == 8)
       update_rows<are_last, 0>(rows, columns, length, tile, std::make_index_sequence<16>());
     else
     {
@@ -144,8 +134,8 @@ private:
   [[gnu::always_inline]] static void
   find_corner(V* matrix, std::size_t p, std::size_t begin, V& ok, const V& one)
   {
-    const V* const own = matrix + Batch::panel(p) + 16 * begin;
-    V* const corner = matrix + Batch::panel(p) + 16 * p;
+    const V* const own = matrix + Hermite_batch::panel(p) + 16 * begin;
+    V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
     V l00 = corner[0], l10 = corner[1], l20 = corner[2], l30 = corner[3], l11 = corner[5], l21 = corner[6],
       l31 = corner[7], l22 = corner[10], l32 = corner[11], l33 = corner[15];
     for(const V* a = own; a != corner; a += 4)
@@ -187,7 +177,7 @@ private:
   }
 
   // Cholesky's method, and both substitutions. The diagonal of the factor is inverted.
-  [[gnu::always_inline]] static void factorize(Batch& batch)
+  [[gnu::always_inline]] static void factorize(Hermite_batch& batch)
   {
     V* const matrix = vectors(batch.matrix);
     V ok, one;
@@ -244,7 +234,7 @@ private:
   [[gnu::always_inline]] static void
   substitute_forward(const V* matrix, std::size_t p, V* right, std::size_t stride, std::index_sequence<k...>)
   {
-    const V* rows = matrix + Batch::panel(p);
+    const V* rows = matrix + Hermite_batch::panel(p);
     V y[] = {right[(k / 4) * stride + 4 * p + k % 4]...};
     for(std::size_t c = 0; c < 4 * p; ++c, rows += 4)
       ((y[k] -= rows[k % 4] * right[(k / 4) * stride + c]), ...);
@@ -254,14 +244,14 @@ private:
   }
 
   // of all right sides, as many at once as there are registers for
-  [[gnu::always_inline]] static void substitute_forward(Batch& batch, std::size_t p)
+  [[gnu::always_inline]] static void substitute_forward(Hermite_batch& batch, std::size_t p)
   {
     const V* const matrix = vectors(batch.matrix);
     V* const right = vectors(batch.solution);
     const std::size_t stride = 4 * batch.panels;
     if(batch.equations() == Hermite_equations::TANGENTS)
       substitute_forward(matrix, p, right, stride, std::make_index_sequence<4>());
-    else if constexpr(Width::size == 8)
+    else if constexpr(n == 8)
       substitute_forward(matrix, p, right, stride, std::make_index_sequence<16>());
     else
     {
@@ -275,7 +265,7 @@ private:
     it would be added to what is smaller by many digits, though data tell so much of what it hides that hardly any is left
     (Woodbury's formula; the small matrix is I + variance * Z^T Z, where Z is the part of the noise after the first substitution).
   */
-  [[gnu::always_inline]] static void take_first_noise(Batch& batch, V& square, V& inverse_root)
+  [[gnu::always_inline]] static void take_first_noise(Hermite_batch& batch, V& square, V& inverse_root)
   {
     const std::size_t size = 4 * batch.panels;
     V* const solution = vectors(batch.solution);
@@ -312,13 +302,13 @@ private:
       solution[r] -= z0[r] * d0 + z1[r] * d1 + z2[r] * d2;
   }
 
-  [[gnu::always_inline]] static void substitute_backward(Batch& batch)
+  [[gnu::always_inline]] static void substitute_backward(Hermite_batch& batch)
   {
     const V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
     for(std::size_t p = batch.panels; p-- > 0;)
     {
-      const V* const rows = matrix + Batch::panel(p);
+      const V* const rows = matrix + Hermite_batch::panel(p);
       const V* const corner = rows + 16 * p;
       V* const mine = solution + 4 * p;
       const V x3 = mine[3] * corner[15];
@@ -335,7 +325,7 @@ private:
   }
 
   // between the substitutions; `part` is what is known of it
-  [[gnu::always_inline]] static void find_mahalanobis_square(Batch& batch, const V& part)
+  [[gnu::always_inline]] static void find_mahalanobis_square(Hermite_batch& batch, const V& part)
   {
     const V* const solution = vectors(batch.solution);
     V square = part;
@@ -344,27 +334,27 @@ private:
     *reinterpret_cast<V*>(batch.mahalanobis_square.data()) = square;
   }
 
-  [[gnu::always_inline]] static void find_log_likelihood(Batch& batch, const V& inverse_root)
+  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch, const V& inverse_root)
   {
     const V* const matrix = vectors(batch.matrix);
     *reinterpret_cast<V*>(batch.log_likelihood.data()) =
         -0.5 * *reinterpret_cast<const V*>(batch.mahalanobis_square.data());
-    const Number* const roots = reinterpret_cast<const Number*>(&inverse_root);
-    for(int lane = 0; lane < Width::size; ++lane)
+    const double* const roots = reinterpret_cast<const double*>(&inverse_root);
+    for(int lane = 0; lane < n; ++lane)
       batch.log_likelihood[std::size_t(lane)] += std::log(roots[lane]);
     // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
     for(std::size_t p = 0; p < batch.panels; ++p)
     {
-      const V* const corner = matrix + Batch::panel(p) + 16 * p;
+      const V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
       const V inverse = (corner[0] * corner[5]) * (corner[10] * corner[15]);
-      const Number* const numbers = reinterpret_cast<const Number*>(&inverse);
-      for(int lane = 0; lane < Width::size; ++lane)
+      const double* const numbers = reinterpret_cast<const double*>(&inverse);
+      for(int lane = 0; lane < n; ++lane)
         batch.log_likelihood[std::size_t(lane)] += std::log(numbers[lane]);
     }
   }
 
   // The noise times the weights is what the function leaves of the data.
-  [[gnu::always_inline]] static void find_residual(Batch& batch)
+  [[gnu::always_inline]] static void find_residual(Hermite_batch& batch)
   {
     const V* const solution = vectors(batch.solution);
     const std::size_t stride = batch.equations() == Hermite_equations::TANGENTS ? 3 : 4;
@@ -382,7 +372,7 @@ private:
 
   // What the solution says about the basis function without its first terms at each center, about the gradient of that, and
   // about the polynomial that those terms add up to.
-  [[gnu::always_inline]] static void collect_weights(Batch& batch)
+  [[gnu::always_inline]] static void collect_weights(Hermite_batch& batch)
   {
     const V* const solution = vectors(batch.solution);
     const V* const points = vectors(batch.points);

@@ -109,18 +109,14 @@ public:
     return ++m_failures < s_attempts;
   }
 
-  // whether these sums of squares (see Hermite_batch) are both too large for exact data of any surface
-  static bool are_inexact(double residual, double mahalanobis_square, std::size_t number_of_points)
-  {
-    const double equations = double(3 * number_of_points);
-    return residual > s_largest_residual * equations &&
-           mahalanobis_square > s_largest_mahalanobis_square * equations;
-  }
-
-  // after an attempt that left those sums: whether there is another because of them
+  // after an attempt with these sums of squares (see Hermite_batch): whether there is another because both are too large for exact
+  // data of any surface
   bool next_if_inexact(double residual, double mahalanobis_square, std::size_t number_of_points)
   {
-    if(!are_inexact(residual, mahalanobis_square, number_of_points) || m_doubts == s_doubts)
+    const double equations = double(3 * number_of_points);
+    if(!(residual > s_largest_residual * equations &&
+         mahalanobis_square > s_largest_mahalanobis_square * equations) ||
+       m_doubts == s_doubts)
       return false;
     m_noise *= 100.;
     ++m_doubts;

@@ -29,39 +29,34 @@ namespace internal {
   of its estimated normal would hide what is small again, and is left to Hermite_batch_factorization. The determinant is the same,
   and so are solution and likelihood.
 */
-template <typename Width, typename RadialBasisFunction>
+template <int n, typename RadialBasisFunction>
 class Hermite_function_on_lanes
 {
-  using Number = typename Width::Number;
-  using V = typename Width::type;
-  using Batch = Basic_hermite_batch<Number>;
+  using V = Lanes<n>;
   using Basis_function = Basis_function_on_lanes<RadialBasisFunction>;
 
 public:
-  [[gnu::always_inline]] static void assemble(Batch& batch, const RadialBasisFunction& phi)
+  [[gnu::always_inline]] static void assemble(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
-    prepare(batch, phi);
     const Basis_function basis_function(phi);
-    if(batch.equations() == Hermite_equations::TANGENTS)
-      assemble_tangents(batch, basis_function);
-    else
-      assemble_gradients(batch, basis_function);
-  }
-
-  // what is to be known before the function is evaluated, but for its weights
-  [[gnu::always_inline]] static void prepare(Batch& batch, const RadialBasisFunction& phi)
-  {
-    relate_to_first(batch, Basis_function(phi));
+    relate_to_first(batch, basis_function);
     if(batch.equations() == Hermite_equations::TANGENTS)
     {
       find_tangents(batch);
       bend_trend(batch);
+      assemble_tangents(batch, basis_function);
     }
+    else
+      assemble_gradients(batch, basis_function);
+    const V* const solution = vectors(batch.solution);
+    V* const right_side = vectors(batch.right_side);
+    for(std::size_t r = 0; r < 4 * batch.panels; ++r)
+      right_side[r] = solution[r];
   }
 
   // the function at `batch.where`; its second derivatives are left alone unless `with_hessian`
   template <bool with_hessian>
-  [[gnu::always_inline]] static void evaluate(Batch& batch, const RadialBasisFunction& phi)
+  [[gnu::always_inline]] static void evaluate(Hermite_batch& batch, const RadialBasisFunction& phi)
   {
     const Basis_function basis_function(phi);
     const V* const points = vectors(batch.points);
@@ -175,10 +170,10 @@ public:
 private:
   static constexpr double s_least_square = 1e-280; // what inverse_sqrt() takes; is nothing beside others
 
-  [[gnu::always_inline]] static V* vectors(Number* numbers) { return reinterpret_cast<V*>(numbers); }
+  [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
   // 1 where a lane has center `i`
-  [[gnu::always_inline]] static void presence(const Batch& batch, std::size_t i, V& present)
+  [[gnu::always_inline]] static void presence(const Hermite_batch& batch, std::size_t i, V& present)
   {
     V one, zero{};
     set_lanes(one, 1.);
@@ -186,20 +181,21 @@ private:
     present = count > double(i) ? one : zero;
   }
 
-  [[gnu::always_inline]] static Number largest(const V& v)
+  [[gnu::always_inline]] static double largest(const V& v)
   {
-    Number numbers[Width::size], result = 0;
+    double numbers[n], result = 0.;
     std::memcpy(numbers, &v, sizeof(V));
-    for(const Number number : numbers)
+    for(const double number : numbers)
       result = (std::max)(result, number);
     return result;
   }
 
   // whether points at a distance of at most `reach` are near enough for the basis function's faster formula
-  [[gnu::always_inline]] static bool are_near(Number reach) { return reach * reach <= Basis_function::near; }
+  [[gnu::always_inline]] static bool are_near(double reach) { return reach * reach <= Basis_function::near; }
 
   // `batch.radius` and `batch.at_first`
-  [[gnu::always_inline]] static void relate_to_first(Batch& batch, const Basis_function& basis_function)
+  [[gnu::always_inline]] static void relate_to_first(Hermite_batch& batch,
+                                                     const Basis_function& basis_function)
   {
     const V* const points = vectors(batch.points);
     V* const at_first = vectors(batch.at_first);
@@ -244,11 +240,11 @@ private:
   // where row `r` begins
   [[gnu::always_inline]] static V* row(V* matrix, std::size_t r)
   {
-    return matrix + Batch::panel(r / 4) + r % 4;
+    return matrix + Hermite_batch::panel(r / 4) + r % 4;
   }
 
   // equations of lanes that end within the last panel: unit rows
-  [[gnu::always_inline]] static void fill_last_panel(Batch& batch)
+  [[gnu::always_inline]] static void fill_last_panel(Hermite_batch& batch)
   {
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
@@ -265,7 +261,7 @@ private:
   // the trend of exact fits, w . x - h(u . x, v . x): a plane, bent by a polynomial
   struct Bent_trend
   {
-    [[gnu::always_inline]] explicit Bent_trend(const Batch& batch)
+    [[gnu::always_inline]] explicit Bent_trend(const Hermite_batch& batch)
       : u(vectors(batch.tangents)),
         v(u + 3),
         w(vectors(batch.trend))
@@ -313,7 +309,7 @@ private:
   }
 
   // of each normal
-  [[gnu::always_inline]] static void find_tangents(Batch& batch)
+  [[gnu::always_inline]] static void find_tangents(Hermite_batch& batch)
   {
     const V* const normals = vectors(batch.normals);
     V* const tangents = vectors(batch.tangents);
@@ -361,7 +357,7 @@ private:
   }
 
   // trend_of_exact_fit()
-  [[gnu::always_inline]] static void bend_trend(Batch& batch)
+  [[gnu::always_inline]] static void bend_trend(Hermite_batch& batch)
   {
     const V* const points = vectors(batch.points);
     const V* const normals = vectors(batch.normals);
@@ -409,7 +405,8 @@ private:
     }
   }
 
-  [[gnu::always_inline]] static void assemble_gradients(Batch& batch, const Basis_function& basis_function)
+  [[gnu::always_inline]] static void assemble_gradients(Hermite_batch& batch,
+                                                        const Basis_function& basis_function)
   {
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);
@@ -425,7 +422,7 @@ private:
       V present;
       presence(batch, i, present);
       const V* const p = points + 3 * i;
-      V* const entries = matrix + Batch::panel(i);
+      V* const entries = matrix + Hermite_batch::panel(i);
       const V psi_i = at_first[3 * i], P_i = at_first[3 * i + 1], B_i = at_first[3 * i + 2];
       set_derivatives(entries, p[0], p[1], p[2], P_i, B_i);
       entries[0] = psi_i - 0.5 * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) - value_noise;
@@ -492,7 +489,8 @@ private:
   }
 
   // Rows 0 to 3 are those of the first center: value, tangents, normal; then come three of each center.
-  [[gnu::always_inline]] static void assemble_tangents(Batch& batch, const Basis_function& basis_function)
+  [[gnu::always_inline]] static void assemble_tangents(Hermite_batch& batch,
+                                                       const Basis_function& basis_function)
   {
     V* const matrix = vectors(batch.matrix);
     V* const solution = vectors(batch.solution);

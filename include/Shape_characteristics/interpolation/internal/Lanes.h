@@ -23,8 +23,6 @@ namespace internal {
 template <int n>
 struct Lanes_of
 {
-  using Number = double;
-  static constexpr int size = n;
   typedef double type __attribute__((vector_size(n * sizeof(double)), may_alias));
   typedef std::uint64_t bits __attribute__((vector_size(n * sizeof(double)), may_alias));
 };
@@ -36,18 +34,8 @@ struct Lanes_of;
 template <>
 struct Lanes_of<1>
 {
-  using Number = double;
-  static constexpr int size = 1;
   using type = double;
   using bits = std::uint64_t;
-};
-
-// A single lane of a number with more digits, where the compiler has one. Constants are those of other lanes, to their digits.
-struct Extended_lane
-{
-  using Number = long double;
-  static constexpr int size = 1;
-  using type = long double;
 };
 
 template <int n>
@@ -88,13 +76,6 @@ template <typename V>
   y = y + y * second * (0.5 + second * (0.375 + 0.3125 * second));
 }
 
-// The same of an Extended_lane, if it is a normal number of double precision: one step more, from there.
-inline void inverse_sqrt(const long double& x, long double& y)
-{
-  y = 1. / std::sqrt(double(x));
-  y += y * (1 - x * y * y) / 2;
-}
-
 // y = exp(x) for x <= 0, to some units in the last place, and 0 below -700
 template <typename V>
 [[gnu::always_inline]] inline void exp_of_negative(const V& x, V& y)
@@ -125,11 +106,6 @@ template <typename V>
   bits = bits + (exponent << 52); // the low bits of `rounded` are those of k
   copy_bits(y, bits);
   y = x < -700. ? V{} : y;
-}
-
-inline void exp_of_negative(const long double& x, long double& y)
-{
-  y = x < -700 ? 0 : std::exp(x);
 }
 
 } // namespace internal

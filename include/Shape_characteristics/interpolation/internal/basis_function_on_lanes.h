@@ -4,8 +4,10 @@
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
+#include <Shape_characteristics/interpolation/internal/Pair_on_lanes.h>
 
 #include <array>
+#include <cstddef>
 #include <cstring>
 
 namespace Shape_characteristics {
@@ -15,8 +17,8 @@ namespace internal {
   A positive definite basis function and its radial derivatives, divided by -A(0), on lanes, without what the first two are
   at the origin: psi = phi - phi(0) + q / 2, P = A + 1, B, C at q = r^2. They are found without cancellation, so that small
   ones have as many digits as others. `C` is left alone unless `with_third`. `is_near` says that no q is larger than
-  `near`, which saves time; `is_extended` that they are found on an Extended_lane, too. Functions with a shape parameter have that
-  of 1: the points were scaled instead.
+  `near`, which saves time; `has_more_digits` that all but C are found as Pair_on_lanes, too. Functions with a shape parameter have
+  that of 1: the points were scaled instead.
 
   This one serves any basis function, by its scalar member, from which it has to subtract; those below are those of the
   defaults.
@@ -26,7 +28,7 @@ class Basis_function_on_lanes
 {
 public:
   static constexpr double near = 0.;
-  static constexpr bool is_extended = false;
+  static constexpr bool has_more_digits = false;
 
   explicit Basis_function_on_lanes(const RadialBasisFunction& phi)
     : m_phi(phi),
@@ -68,7 +70,7 @@ class Basis_function_on_lanes<Inverse_multiquadric>
 {
 public:
   static constexpr double near = 0.;
-  static constexpr bool is_extended = true;
+  static constexpr bool has_more_digits = true;
 
   explicit Basis_function_on_lanes(const Inverse_multiquadric&) {}
 
@@ -88,6 +90,24 @@ public:
     if constexpr(with_third)
       C = -5. * square * B;
   }
+
+  template <typename V>
+  [[gnu::always_inline]] void operator()(const Pair_on_lanes<V>& q,
+                                         bool,
+                                         Pair_on_lanes<V>& psi,
+                                         Pair_on_lanes<V>& P,
+                                         Pair_on_lanes<V>& B) const
+  {
+    using Pair = Pair_on_lanes<V>;
+    V one, three;
+    set_lanes(one, 1.);
+    set_lanes(three, 3.);
+    const Pair inverse_square = q + one, phi = inverse_sqrt(inverse_square), square = phi * phi;
+    const Pair difference = Pair(one) - phi;
+    psi = magnify(difference * difference, 0.5) * ((magnify(phi, 2.) + one) * inverse_square);
+    P = difference * (phi + square + one);
+    B = (square * three) * (square * phi);
+  }
 };
 
 template <>
@@ -95,7 +115,7 @@ class Basis_function_on_lanes<Matern_9_2>
 {
 public:
   static constexpr double near = 4.;
-  static constexpr bool is_extended = true;
+  static constexpr bool has_more_digits = true;
 
   explicit Basis_function_on_lanes(const Matern_9_2&) {}
 
@@ -111,20 +131,9 @@ public:
     const V of_phi = 7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))));
     const V of_A = 1. + a * (1. + a * (2. / 5. + a * (1. / 15.)));
 
-    // exp(-a) as Taylor's polynomial of degree 8 and a^9 times the remainder, which is the best polynomial for a <= 2. Of what
-    // the former contributes to psi and P, the first terms are known.
+    // Of what Taylor's polynomial contributes to psi and P, the first terms are known.
     V r;
-    set_lanes(r, -4.8010719143213714e-18);
-    r = r * a + 1.4150744708157523e-16;
-    r = r * a - 2.7739758113497356e-15;
-    r = r * a + 4.7734117918313206e-14;
-    r = r * a - 7.646526495389217e-13;
-    r = r * a + 1.1470702340463107e-11;
-    r = r * a - 1.6059041999047809e-10;
-    r = r * a + 2.0876756942195778e-09;
-    r = r * a - 2.5052108384858402e-08;
-    r = r * a + 2.755731922398298e-07;
-    r = r * a - 2.755731922398589e-06;
+    find_remainder_of_exp(a, r);
     const V qq = q * q, a5 = qq * a;
     V e;
     set_lanes(e, 1. / 40320.);
@@ -156,6 +165,87 @@ public:
     B = (1. / 5. + a * (1. / 5. + a * (1. / 15.))) * e;
     if constexpr(with_third)
       C = (-1. / 15. + a * (-1. / 15.)) * e;
+  }
+
+  // The first terms of sums have more digits, and so have the others in the sums, for they are small. Not beyond `near`, which is farther
+  // than neighborhoods reach.
+  template <typename V>
+  [[gnu::always_inline]] void operator()(const Pair_on_lanes<V>& q,
+                                         bool is_near,
+                                         Pair_on_lanes<V>& psi,
+                                         Pair_on_lanes<V>& P,
+                                         Pair_on_lanes<V>& B) const
+  {
+    using Pair = Pair_on_lanes<V>;
+    V tiny, r;
+    set_lanes(tiny, 1e-300);
+    const Pair positive = q + tiny, root = positive * inverse_sqrt(positive), square = q * q;
+    const V a = root.high, qq = square.high, a5 = qq * a;
+    find_remainder_of_exp(a, r);
+    const V of_phi = 7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))));
+    const V of_A = 1. + a * (1. + a * (2. / 5. + a * (1. / 15.)));
+    const V last_of_psi =
+        a5 * (of_phi * r + (-31. / 604800. + a * (1. / 28800. + a * (1. / 302400. + a * (1. / 604800.)))));
+    const V last_of_P =
+        a5 *
+        ((-1. / 1575. + a * (1. / 5760. + a * (-23. / 604800. + a * (1. / 302400. + a * (-1. / 604800.))))) -
+         q.high * (of_A * r));
+    const V last_of_e =
+        a5 * ((-1. / 120. + a * (1. / 720. + a * (-1. / 5040. + a * (1. / 40320.)))) + qq * r);
+    constexpr double of_psi[] = {1. / 40., -1. / 720., 1. / 5760.},
+                     of_P[] = {1. / 10., -1. / 120., 1. / 720.}, of_e[] = {1., -1., 0.5, -1. / 6., 1. / 24.},
+                     of_B[] = {1. / 5., 1. / 5., 1. / 15.};
+    psi = square * (first_terms(q, of_psi) + last_of_psi);
+    P = q * (first_terms(q, of_P) + last_of_P);
+    B = first_terms(root, of_B) * (first_terms(root, of_e) + last_of_e);
+    if(!is_near)
+    {
+      V far_psi, far_P, far_B, unused;
+      operator()<false>(q.high, false, far_psi, far_P, far_B, unused);
+      take_beyond_near(q.high, far_psi, psi);
+      take_beyond_near(q.high, far_P, P);
+      take_beyond_near(q.high, far_B, B);
+    }
+  }
+
+private:
+  // exp(-a) is Taylor's polynomial of degree 8 and a^9 times this, the best polynomial for a <= 2.
+  template <typename V>
+  [[gnu::always_inline]] static void find_remainder_of_exp(const V& a, V& r)
+  {
+    set_lanes(r, -4.8010719143213714e-18);
+    r = r * a + 1.4150744708157523e-16;
+    r = r * a - 2.7739758113497356e-15;
+    r = r * a + 4.7734117918313206e-14;
+    r = r * a - 7.646526495389217e-13;
+    r = r * a + 1.1470702340463107e-11;
+    r = r * a - 1.6059041999047809e-10;
+    r = r * a + 2.0876756942195778e-09;
+    r = r * a - 2.5052108384858402e-08;
+    r = r * a + 2.755731922398298e-07;
+    r = r * a - 2.755731922398589e-06;
+  }
+
+  template <typename V>
+  [[gnu::always_inline]] static void take_beyond_near(const V& q, const V& far, Pair_on_lanes<V>& result)
+  {
+    result.high = q > near ? far : result.high;
+    result.low = q > near ? V{} : result.low;
+  }
+
+  template <typename V, std::size_t size>
+  [[gnu::always_inline]] static Pair_on_lanes<V> first_terms(const Pair_on_lanes<V>& x,
+                                                             const double (&coefficients)[size])
+  {
+    V c;
+    set_lanes(c, coefficients[size - 1]);
+    Pair_on_lanes<V> sum(c);
+    for(std::size_t k = size - 1; k-- > 0;)
+    {
+      set_lanes(c, coefficients[k]);
+      sum = sum * x + c;
+    }
+    return sum;
   }
 };
 

@@ -1,0 +1,214 @@
+// Numbers with more digits on lanes, against numbers with twice as many: arithmetic, and basis functions.
+#define BOOST_TEST_MODULE pair_on_lanes
+#include <boost/test/unit_test.hpp>
+
+#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
+#include <Shape_characteristics/interpolation/Matern_9_2.h>
+#include <Shape_characteristics/interpolation/internal/Lanes.h>
+#include <Shape_characteristics/interpolation/internal/Pair_on_lanes.h>
+#include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <random>
+
+namespace internal = Shape_characteristics::internal;
+namespace SC = Shape_characteristics;
+using Number = boost::multiprecision::cpp_bin_float_50;
+
+namespace {
+
+// Four lanes and more need a processor that fuses multiplication and addition: functions compiled for it have them, tested as
+// fits by test_batched_hermite_rbf.
+#if defined(__GNUC__)
+constexpr int most_lanes = 2;
+#else
+constexpr int most_lanes = 1;
+#endif
+
+template <int n>
+using Pair = internal::Pair_on_lanes<internal::Lanes<n> >;
+
+template <int n>
+internal::Lanes<n> lanes(const std::array<double, std::size_t(n)>& numbers)
+{
+  internal::Lanes<n> result;
+  std::memcpy(&result, numbers.data(), sizeof(result));
+  return result;
+}
+
+template <int n>
+std::array<double, std::size_t(n)> numbers(const internal::Lanes<n>& v)
+{
+  std::array<double, std::size_t(n)> result;
+  std::memcpy(result.data(), &v, sizeof(v));
+  return result;
+}
+
+// `number` in the last lane; the others have another one
+template <int n>
+Pair<n> pair(const Number& number)
+{
+  std::array<double, std::size_t(n)> high, low;
+  high.fill(.7);
+  low.fill(1e-17);
+  high.back() = double(number);
+  low.back() = double(number - high.back());
+  return {lanes<n>(high), lanes<n>(low)};
+}
+
+template <int n>
+Number value(const Pair<n>& pair)
+{
+  return Number(numbers<n>(pair.high).back()) + Number(numbers<n>(pair.low).back());
+}
+
+double relative_error(const Number& found, const Number& expected)
+{
+  return double(abs(found - expected) / abs(expected));
+}
+
+template <int n>
+double error_of_arithmetic()
+{
+  std::mt19937 random(1);
+  const auto number = [&]
+  {
+    std::uniform_real_distribution<double> uniform(.1, 3.);
+    const Number high = uniform(random), low = uniform(random);
+    return Number(high + low * 0x1p-54);
+  };
+  double largest = 0.;
+  for(int k = 0; k < 1000; ++k)
+  {
+    const Number a = number(), b = number();
+    const Pair<n> x = pair<n>(a), y = pair<n>(b);
+    const auto take = [&](const Pair<n>& found, const Number& expected)
+    { largest = std::max(largest, relative_error(value<n>(found), expected)); };
+    take(x + y, a + b);
+    take(x * y, a * b);
+    take(x / y, a / b);
+    take(-x, -a);
+    take(internal::magnify(x, .5), a / 2);
+    take(internal::inverse_sqrt(x), 1 / sqrt(a));
+    take(x + y.high, a + Number(numbers<n>(y.high).back()));
+    take(x * y.high, a * Number(numbers<n>(y.high).back()));
+    take(internal::difference(x.high, y.high),
+         Number(numbers<n>(x.high).back()) - Number(numbers<n>(y.high).back()));
+    // of nearly equal ones, what is left has fewer digits: those of both
+    const Number c = a + a * 0x1p-20;
+    largest = std::max(largest, double(abs(value<n>(pair<n>(c) - x) - (c - a)) / a));
+  }
+  return largest;
+}
+
+struct Radial
+{
+  Number psi, P, B;
+};
+
+Radial inverse_multiquadric(const Number& q)
+{
+  const Number phi = 1 / sqrt(1 + q);
+  return {phi - 1 + q / 2, 1 - phi * phi * phi, 3 * pow(phi, 5)};
+}
+
+Radial matern(const Number& q)
+{
+  const Number a = sqrt(q), e = exp(-a);
+  return {(7 + a * (7 + a * (3 + a * (Number(2) / 3 + a / 15)))) * e - 7 + q / 2,
+          1 - (1 + a * (1 + a * (Number(2) / 5 + a / 15))) * e, (1 + a * (1 + a / 3)) / 5 * e};
+}
+
+// The largest relative error for roots of q up to `reach`. Constants of a Matern function are doubles, whose rounding is seen.
+template <int n, typename RadialBasisFunction, typename Exact>
+double error_of_basis_function(const RadialBasisFunction& phi, const Exact& exact, double reach)
+{
+  const internal::Basis_function_on_lanes<RadialBasisFunction> on_lanes(phi);
+  double largest = 0.;
+  for(int k = 1; k <= 200; ++k)
+  {
+    const double root = reach * k / 200.;
+    const Number q = Number(root) * Number(root);
+    Pair<n> psi, P, B;
+    on_lanes(pair<n>(q), reach * reach <= on_lanes.near, psi, P, B);
+    const Radial expected = exact(q);
+    largest = std::max({largest, relative_error(value<n>(psi), expected.psi),
+                        relative_error(value<n>(P), expected.P), relative_error(value<n>(B), expected.B)});
+  }
+  return largest;
+}
+
+// how much two neighboring doubles' results differ from the exact difference: rounding without that of constants
+template <int n, typename RadialBasisFunction, typename Exact>
+double roughness_of_basis_function(const RadialBasisFunction& phi, const Exact& exact, double reach)
+{
+  const internal::Basis_function_on_lanes<RadialBasisFunction> on_lanes(phi);
+  double largest = 0.;
+  for(int k = 20; k <= 200; ++k)
+  {
+    const double root = reach * k / 200.;
+    std::array<Radial, 2> found, expected;
+    for(std::size_t side = 0; side < 2; ++side)
+    {
+      const Number q = Number(root) * Number(root) * (1 + Number(side) * 0x1p-40);
+      Pair<n> psi, P, B;
+      on_lanes(pair<n>(q), reach * reach <= on_lanes.near, psi, P, B);
+      found[side] = {value<n>(psi), value<n>(P), value<n>(B)};
+      expected[side] = exact(q);
+    }
+    const auto take = [&](Number Radial::*part)
+    {
+      const Number step = found[1].*part - found[0].*part,
+                   expected_step = expected[1].*part - expected[0].*part;
+      largest = std::max(largest, double(abs(step - expected_step) / abs(expected[0].*part)));
+    };
+    take(&Radial::psi);
+    take(&Radial::P);
+    take(&Radial::B);
+  }
+  return largest;
+}
+
+template <int n>
+void check()
+{
+  const double arithmetic = error_of_arithmetic<n>();
+  BOOST_TEST_MESSAGE(n << " lanes: relative error of arithmetic " << arithmetic);
+  BOOST_TEST(arithmetic < 1e-30);
+
+  const double of_multiquadric =
+      error_of_basis_function<n>(SC::Inverse_multiquadric(), inverse_multiquadric, 3.);
+  const double of_matern = error_of_basis_function<n>(SC::Matern_9_2(), matern, 1.9);
+  const double far = error_of_basis_function<n>(SC::Matern_9_2(), matern, 8.);
+  BOOST_TEST_MESSAGE(n << " lanes: relative error of the inverse multiquadric " << of_multiquadric
+                       << ", of the Matern function " << of_matern << ", beyond " << far);
+  BOOST_TEST(of_multiquadric < 1e-24); // psi of close points is the square of a difference
+  BOOST_TEST(of_matern < 1e-15);
+  BOOST_TEST(far < 1e-13);
+
+  const double rough_multiquadric =
+      roughness_of_basis_function<n>(SC::Inverse_multiquadric(), inverse_multiquadric, 3.);
+  const double rough_matern = roughness_of_basis_function<n>(SC::Matern_9_2(), matern, 1.);
+  BOOST_TEST_MESSAGE(n << " lanes: rounding of the inverse multiquadric " << rough_multiquadric
+                       << ", of the Matern function " << rough_matern);
+  BOOST_TEST(rough_multiquadric < 1e-26);
+  BOOST_TEST(rough_matern < 1e-17);
+}
+
+} // namespace
+
+BOOST_AUTO_TEST_CASE(one_lane)
+{
+  check<1>();
+}
+
+BOOST_AUTO_TEST_CASE(lanes_that_every_processor_has)
+{
+  check<most_lanes>();
+}
