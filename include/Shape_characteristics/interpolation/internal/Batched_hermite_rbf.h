@@ -48,7 +48,6 @@ class Batched_hermite_rbf
     Estimation_status status;
     double scale;
     double shape_parameter;
-    double distance_of_centroid; // from the center, in units of the neighborhood's size
     Vector trend;
     Exact_fit_attempts exact;
     Noisy_fit_attempts noisy;
@@ -221,11 +220,11 @@ private:
   static constexpr double s_imbalance = 0.5;           // largest distance of the centroid from the center
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
-  // Rounding is seen in weights that are so large, in units of the neighborhood's size: measured when points of waves and of polynomials
-  // were scaled. With exact normals, more so where neighbors are on one side and what they say is continued.
-  static constexpr double s_large_exact_weight = 1e4, s_large_one_sided_exact_weight = 2e3,
-                          s_large_noisy_weight = 5e4;
-  static constexpr double s_one_sided = 0.35; // least distance of the centroid from the center
+  // Rounding would be seen in such weights, in units of the neighborhood's size: when waves and polynomials were scaled, by 1e-9 of the
+  // largest curvature on point sets, where neighbors are on one side more often, and by 1e-8 over rings. There, to refine as
+  // many would take random points of a mesh half as long again.
+  static constexpr double s_large_exact_weight = 2e3, s_large_noisy_weight = 5e4;
+  static constexpr double s_large_exact_weight_of_rings = 2e5, s_large_noisy_weight_of_rings = 1e6;
 
   static RadialBasisFunction unit_shape(const RadialBasisFunction& phi)
   {
@@ -246,7 +245,10 @@ private:
       return;
     const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
     // Near a border, which point sets know nothing of, all the neighbors are on one side.
-    if(task.distance_of_centroid > s_imbalance)
+    Vector sum = Vector::Zero();
+    for(const Vector& p : neighborhood.points)
+      sum += p;
+    if(sum.norm() > s_imbalance * double(neighborhood.points.size()))
       return;
     const auto number = Index(workspace.m_tasks.size() - 1);
     const Reach& reach = m_options.normals_are_exact ? s_exact_reach : s_noisy_reach;
@@ -320,15 +322,6 @@ private:
     return true;
   }
 
-  // from the center
-  static double distance_of_centroid(const Scaled_neighborhood& neighborhood)
-  {
-    Vector sum = Vector::Zero();
-    for(const Vector& p : neighborhood.points)
-      sum += p;
-    return sum.norm() / double(neighborhood.points.size());
-  }
-
   // a task for what was collected
   Task store(const Scaled_neighborhood& neighborhood, Workspace& workspace) const
   {
@@ -337,7 +330,6 @@ private:
     task.number_of_points = neighborhood.points.size();
     task.scale = neighborhood.scale;
     task.shape_parameter = shape_parameter_of_fit(m_phi, task.number_of_points, m_options.normals_are_exact);
-    task.distance_of_centroid = distance_of_centroid(neighborhood);
     task.trend =
         m_options.normals_are_exact ? neighborhood.normals[0] : trend_of_noisy_fit(neighborhood.normals);
     workspace.m_points.insert(workspace.m_points.end(), neighborhood.points.begin(),
@@ -524,17 +516,13 @@ private:
 
   bool has_large_weights(const Task& task, const Hermite_batch& batch, std::size_t lane) const
   {
-    double large = s_large_noisy_weight;
-    if(m_options.normals_are_exact)
-    {
-      // The samples that it serves may be at a border, which point sets know nothing of.
-      const bool may_serve_border =
-          task.number_of_served > 1 && m_surface.neighborhood().kind() != Neighborhood::Kind::RINGS;
-      large = may_serve_border || task.distance_of_centroid > s_one_sided ? s_large_one_sided_exact_weight
-                                                                          : s_large_exact_weight;
-    }
-    return m_options.large_weights_are_refined && batch.is_positive_definite[lane] != 0. &&
-           task.shape_parameter * std::sqrt(batch.weight_square[lane]) > large;
+    if(!m_options.large_weights_are_refined || batch.is_positive_definite[lane] == 0.)
+      return false;
+    const bool is_of_rings = m_surface.neighborhood().kind() == Neighborhood::Kind::RINGS;
+    const double large_exact = is_of_rings ? s_large_exact_weight_of_rings : s_large_exact_weight;
+    const double large_noisy = is_of_rings ? s_large_noisy_weight_of_rings : s_large_noisy_weight;
+    return task.shape_parameter * std::sqrt(batch.weight_square[lane]) >
+           (m_options.normals_are_exact ? large_exact : large_noisy);
   }
 
   // whether the normals turned out not to be exact: there is another attempt, for all that the task serves
