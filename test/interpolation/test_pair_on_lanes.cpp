@@ -125,52 +125,45 @@ Radial matern(const Number& q)
           1 - (1 + a * (1 + a * (Number(2) / 5 + a / 15))) * e, (1 + a * (1 + a / 3)) / 5 * e};
 }
 
+template <int n, typename RadialBasisFunction>
+Radial found_at(const RadialBasisFunction& phi, const Number& q, double reach)
+{
+  const internal::Basis_function_on_lanes<RadialBasisFunction> on_lanes(phi);
+  Pair<n> psi, P, B;
+  on_lanes(pair<n>(q), reach * reach <= on_lanes.near, psi, P, B);
+  return {value<n>(psi), value<n>(P), value<n>(B)};
+}
+
 // The largest relative error for roots of q up to `reach`. Constants of a Matern function are doubles, whose rounding is seen.
 template <int n, typename RadialBasisFunction, typename Exact>
 double error_of_basis_function(const RadialBasisFunction& phi, const Exact& exact, double reach)
 {
-  const internal::Basis_function_on_lanes<RadialBasisFunction> on_lanes(phi);
   double largest = 0.;
   for(int k = 1; k <= 200; ++k)
   {
-    const double root = reach * k / 200.;
-    const Number q = Number(root) * Number(root);
-    Pair<n> psi, P, B;
-    on_lanes(pair<n>(q), reach * reach <= on_lanes.near, psi, P, B);
-    const Radial expected = exact(q);
-    largest = std::max({largest, relative_error(value<n>(psi), expected.psi),
-                        relative_error(value<n>(P), expected.P), relative_error(value<n>(B), expected.B)});
+    const Number q = pow(Number(reach * k / 200.), 2);
+    const Radial found = found_at<n>(phi, q, reach), expected = exact(q);
+    for(Number Radial::*const part : {&Radial::psi, &Radial::P, &Radial::B})
+      largest = std::max(largest, relative_error(found.*part, expected.*part));
   }
   return largest;
 }
 
-// how much two neighboring doubles' results differ from the exact difference: rounding without that of constants
+// how much the difference of two neighbors differs from the exact one: rounding without that of constants
 template <int n, typename RadialBasisFunction, typename Exact>
 double roughness_of_basis_function(const RadialBasisFunction& phi, const Exact& exact, double reach)
 {
-  const internal::Basis_function_on_lanes<RadialBasisFunction> on_lanes(phi);
   double largest = 0.;
   for(int k = 20; k <= 200; ++k)
   {
-    const double root = reach * k / 200.;
-    std::array<Radial, 2> found, expected;
-    for(std::size_t side = 0; side < 2; ++side)
+    const Number q = pow(Number(reach * k / 200.), 2), next = q * (1 + 0x1p-40);
+    const Radial found = found_at<n>(phi, q, reach), found_next = found_at<n>(phi, next, reach);
+    const Radial expected = exact(q), expected_next = exact(next);
+    for(Number Radial::*const part : {&Radial::psi, &Radial::P, &Radial::B})
     {
-      const Number q = Number(root) * Number(root) * (1 + Number(side) * 0x1p-40);
-      Pair<n> psi, P, B;
-      on_lanes(pair<n>(q), reach * reach <= on_lanes.near, psi, P, B);
-      found[side] = {value<n>(psi), value<n>(P), value<n>(B)};
-      expected[side] = exact(q);
+      const Number step = found_next.*part - found.*part, exact_step = expected_next.*part - expected.*part;
+      largest = std::max(largest, double(abs(step - exact_step) / abs(expected.*part)));
     }
-    const auto take = [&](Number Radial::*part)
-    {
-      const Number step = found[1].*part - found[0].*part,
-                   expected_step = expected[1].*part - expected[0].*part;
-      largest = std::max(largest, double(abs(step - expected_step) / abs(expected[0].*part)));
-    };
-    take(&Radial::psi);
-    take(&Radial::P);
-    take(&Radial::B);
   }
   return largest;
 }
