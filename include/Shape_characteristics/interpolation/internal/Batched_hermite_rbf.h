@@ -221,7 +221,7 @@ private:
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
   // Rounding would be seen in such weights, in units of the neighborhood's size: when waves and polynomials were scaled, by 1e-9 of the
-  // largest curvature on point sets, where neighbors are on one side more often, and by 1e-8 over rings. There, to refine as
+  // largest curvature on point sets, where neighbors are on one side more often, and by some 1e-8 over rings. There, to refine as
   // many would take random points of a mesh half as long again.
   static constexpr double s_large_exact_weight = 2e3, s_large_noisy_weight = 5e4;
   static constexpr double s_large_exact_weight_of_rings = 2e5, s_large_noisy_weight_of_rings = 1e6;

@@ -157,14 +157,6 @@ template <typename V>
   return {factor * a.high, factor * a.low};
 }
 
-template <typename V>
-[[gnu::always_inline]] inline Pair_on_lanes<V> operator/(const Pair_on_lanes<V>& a, const Pair_on_lanes<V>& b)
-{
-  const V quotient = a.high / b.high;
-  const Pair_on_lanes<V> remainder = a - b * quotient;
-  return {quotient, (remainder.high + remainder.low) / b.high};
-}
-
 // 1 / sqrt(x): a step of Newton's from that of a double
 template <typename V>
 [[gnu::always_inline]] inline Pair_on_lanes<V> inverse_sqrt(const Pair_on_lanes<V>& x)

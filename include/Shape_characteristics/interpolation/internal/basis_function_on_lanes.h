@@ -128,12 +128,9 @@ public:
     V a;
     inverse_sqrt(positive, a);
     a = positive * a;
-    const V of_phi = 7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))));
-    const V of_A = 1. + a * (1. + a * (2. / 5. + a * (1. / 15.)));
-
-    // Of what Taylor's polynomial contributes to psi and P, the first terms are known.
-    V r;
+    V r, of_phi, of_A, last_of_psi, last_of_P;
     find_remainder_of_exp(a, r);
+    find_last_terms(q, a, r, of_phi, of_A, last_of_psi, last_of_P);
     const V qq = q * q, a5 = qq * a;
     V e;
     set_lanes(e, 1. / 40320.);
@@ -146,14 +143,8 @@ public:
     e = e * a - 1.;
     e = e * a + 1.;
     e = e + (a5 * qq) * r;
-    psi =
-        qq *
-        ((1. / 40. + q * (-1. / 720. + q * (1. / 5760.))) +
-         a5 * (of_phi * r + (-31. / 604800. + a * (1. / 28800. + a * (1. / 302400. + a * (1. / 604800.))))));
-    P = q * ((1. / 10. + q * (-1. / 120. + q * (1. / 720.))) +
-             a5 * ((-1. / 1575. +
-                    a * (1. / 5760. + a * (-23. / 604800. + a * (1. / 302400. + a * (-1. / 604800.))))) -
-                   q * (of_A * r)));
+    psi = qq * ((1. / 40. + q * (-1. / 720. + q * (1. / 5760.))) + a5 * last_of_psi);
+    P = q * ((1. / 10. + q * (-1. / 120. + q * (1. / 720.))) + a5 * last_of_P);
     if(!is_near)
     {
       V far;
@@ -177,26 +168,19 @@ public:
                                          Pair_on_lanes<V>& B) const
   {
     using Pair = Pair_on_lanes<V>;
-    V tiny, r;
+    V tiny, r, of_phi, of_A, last_of_psi, last_of_P;
     set_lanes(tiny, 1e-300);
     const Pair positive = q + tiny, root = positive * inverse_sqrt(positive), square = q * q;
     const V a = root.high, qq = square.high, a5 = qq * a;
     find_remainder_of_exp(a, r);
-    const V of_phi = 7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))));
-    const V of_A = 1. + a * (1. + a * (2. / 5. + a * (1. / 15.)));
-    const V last_of_psi =
-        a5 * (of_phi * r + (-31. / 604800. + a * (1. / 28800. + a * (1. / 302400. + a * (1. / 604800.)))));
-    const V last_of_P =
-        a5 *
-        ((-1. / 1575. + a * (1. / 5760. + a * (-23. / 604800. + a * (1. / 302400. + a * (-1. / 604800.))))) -
-         q.high * (of_A * r));
+    find_last_terms(q.high, a, r, of_phi, of_A, last_of_psi, last_of_P);
     const V last_of_e =
         a5 * ((-1. / 120. + a * (1. / 720. + a * (-1. / 5040. + a * (1. / 40320.)))) + qq * r);
     constexpr double of_psi[] = {1. / 40., -1. / 720., 1. / 5760.},
                      of_P[] = {1. / 10., -1. / 120., 1. / 720.}, of_e[] = {1., -1., 0.5, -1. / 6., 1. / 24.},
                      of_B[] = {1. / 5., 1. / 5., 1. / 15.};
-    psi = square * (first_terms(q, of_psi) + last_of_psi);
-    P = q * (first_terms(q, of_P) + last_of_P);
+    psi = square * (first_terms(q, of_psi) + V(a5 * last_of_psi));
+    P = q * (first_terms(q, of_P) + V(a5 * last_of_P));
     B = first_terms(root, of_B) * (first_terms(root, of_e) + last_of_e);
     if(!is_near)
     {
@@ -224,6 +208,20 @@ private:
     r = r * a - 2.5052108384858402e-08;
     r = r * a + 2.755731922398298e-07;
     r = r * a - 2.755731922398589e-06;
+  }
+
+  // psi / q^2 and P / q are polynomials of q, the first terms of Taylor's, plus a^5 times what is found here; besides, what exp(-a) is
+  // multiplied by in phi and A.
+  template <typename V>
+  [[gnu::always_inline]] static void
+  find_last_terms(const V& q, const V& a, const V& r, V& of_phi, V& of_A, V& last_of_psi, V& last_of_P)
+  {
+    of_phi = 7. + a * (7. + a * (3. + a * (2. / 3. + a * (1. / 15.))));
+    of_A = 1. + a * (1. + a * (2. / 5. + a * (1. / 15.)));
+    last_of_psi = of_phi * r + (-31. / 604800. + a * (1. / 28800. + a * (1. / 302400. + a * (1. / 604800.))));
+    last_of_P =
+        (-1. / 1575. + a * (1. / 5760. + a * (-23. / 604800. + a * (1. / 302400. + a * (-1. / 604800.))))) -
+        q * (of_A * r);
   }
 
   template <typename V>
