@@ -6,6 +6,7 @@
 #include <Shape_characteristics/characteristics/internal/Saliency_estimator.h>
 #include <Shape_characteristics/characteristics/mean_curvature.h>
 #include <Shape_characteristics/curvature/given_or_estimated_curvatures.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -57,14 +58,11 @@ std::vector<Saliency_estimate> saliency_of(const SampledSurface& samples,
                                            const std::vector<Sample_principal_curvatures>& curvatures,
                                            const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   std::vector<double> mean_curvatures;
   mean_curvatures.reserve(curvatures.size());
   for(const Sample_principal_curvatures& c : curvatures)
     mean_curvatures.push_back(mean_curvature(c));
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = internal::callback_of(np);
   const double scale = saliency_scale(samples, np);
   if(scale > 0.)
   {

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/internal/Adaptive_estimator.h>
 #include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -28,8 +29,7 @@ std::function<bool(double)> adaptive_callback(const NamedParameters& np)
 {
   static_assert(number_of_neighborhoods<NamedParameters> == 0,
                 "adaptive_curvatures() chooses the neighborhoods itself");
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::callback),
-                                      std::function<bool(double)>());
+  return callback_of(np);
 }
 
 template <typename NamedParameters>

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/callback_of.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
@@ -300,11 +301,14 @@ std::size_t height_grid_curvatures(const HeightRange& heights,
   const auto estimator = internal::height_grid_estimator(heights, columns, spacing_u, spacing_v, np);
   std::size_t failures = 0;
   internal::estimate_and_write<ConcurrencyTag>(
-      estimator, estimator.size(), np,
-      [&](const std::size_t i, const internal::Curvature_estimate& estimate)
+      estimator, estimator.size(), internal::callback_of(np),
+      [&](const std::size_t first, const std::size_t last, const internal::Curvature_estimate* estimate)
       {
-        failures += !is_estimated(estimate.status);
-        internal::write_to_item(i, estimate, np);
+        for(std::size_t i = first; i < last; ++i, ++estimate)
+        {
+          failures += !is_estimated(estimate->status);
+          internal::write_to_item(i, *estimate, np);
+        }
       });
   return failures;
 }

@@ -10,6 +10,7 @@
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
@@ -376,7 +377,8 @@ std::size_t interpolated_corrected_curvatures(const FaceGraph& mesh,
   const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(1), np,
                                                                      Face_graph_samples::Connectivity::FACES);
   const internal::Interpolated_corrected_estimator estimator(samples, radius);
-  const auto measured = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
+  const auto measured =
+      internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), internal::callback_of(np));
   std::vector<internal::Curvature_estimate> estimates(measured.begin(), measured.end());
   const std::size_t failures = internal::write_to_mesh(mesh, samples, estimates, np);
 

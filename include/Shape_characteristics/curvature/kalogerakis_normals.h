@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/internal/Kalogerakis_estimator.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/write_normals.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
@@ -20,8 +21,7 @@ namespace internal {
 template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>
 std::vector<Normal_estimate> kalogerakis_normal_estimates(SampledSurface& surface, const NamedParameters& np)
 {
-  const std::function<bool(double)> callback = parameters::choose_parameter(
-      parameters::get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = callback_of(np);
   const Kalogerakis_estimator<SampledSurface> estimator(surface, passes_of_kalogerakis(np, 1),
                                                         ConcurrencyTag(), callback);
   std::vector<Normal_estimate> estimates(surface.size());

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/internal/Triangle_shape_operator.h>
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
@@ -252,7 +253,8 @@ std::size_t meyer_curvatures(const FaceGraph& mesh, const NamedParameters& np = 
   const Face_graph_samples samples = sampled_surface<ConcurrencyTag>(mesh, Neighborhood::rings(1), np,
                                                                      Face_graph_samples::Connectivity::FACES);
   const internal::Meyer_estimator estimator(samples);
-  const auto measured = internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), np);
+  const auto measured =
+      internal::estimate_curvatures<ConcurrencyTag>(estimator, samples.size(), internal::callback_of(np));
   std::vector<internal::Curvature_estimate> estimates(measured.begin(), measured.end());
   const std::size_t failures = internal::write_to_mesh(mesh, samples, estimates, np);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_map_t>::value)

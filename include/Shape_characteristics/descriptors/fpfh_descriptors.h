@@ -6,6 +6,7 @@
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/Fpfh_variant.h>
 #include <Shape_characteristics/descriptors/internal/compute_descriptors_of.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -29,8 +30,7 @@ Descriptor_matrix fpfh_descriptors_of(const SampledSurface& surface, const Named
 
   const Fpfh_variant variant =
       choose_parameter(get_parameter(np, internal_np::fpfh_variant), Fpfh_variant::PCL);
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = callback_of(np);
   // Most of the work is what the descriptors share.
   bool goes_on = true;
   std::function<bool(double)> at_first, at_last;

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/head_features/internal/pose_points_of.h>
 #include <Shape_characteristics/head_features/internal/pose_search.h>
 #include <Shape_characteristics/head_features/internal/pose_surface.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/point_set_parameters.h>
 #include <Shape_characteristics/internal/to_eigen.h>
@@ -96,11 +97,8 @@ Head_pose<Kernel>
 head_pose_of(const Pose_points& points, const NamedParameters& np, const bool is_reversed = false)
 {
   using FT = typename Kernel::FT;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   const Eigen::Vector3d upward = upward_direction_of(np);
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = callback_of(np);
   Head_pose<Kernel> pose;
   const auto is_cancelled = [&](const double advancement)
   {

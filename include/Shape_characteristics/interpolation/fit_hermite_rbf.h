@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/passes.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
@@ -79,7 +80,7 @@ public:
     m_passes = static_cast<std::size_t>(passes);
     m_sampling_distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
     m_seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);
-    m_callback = choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+    m_callback = callback_of(np);
     m_fits_are_shared = choose_parameter(get_parameter(np, internal_np::fits_are_shared), true);
 
     constexpr bool level_is_given =
@@ -89,18 +90,13 @@ public:
     check_sampling_distance(m_sampling_distance); // whether the pattern is needed or not
   }
 
+  // Not inline: a program may instantiate it in one source file for all.
   template <typename SampledSurface, typename RadialBasisFunction>
   void operator()(SampledSurface& surface,
                   const RadialBasisFunction& phi,
                   std::size_t size,
                   const std::vector<Index>& only,
-                  const Output& output) const
-  {
-    if constexpr(RadialBasisFunction::is_positive_definite)
-      fit_positive_definite(surface, phi, size, only, output);
-    else
-      fit_indefinite(surface, phi, size, only, output);
-  }
+                  const Output& output) const;
 
 private:
   template <typename SampledSurface, typename RadialBasisFunction>
@@ -127,7 +123,7 @@ private:
           const std::size_t i = only.empty() ? k : only[k];
           output.surface(i, fit(i, workspace));
         },
-        callback_of(0, 1));
+        pass_callback(0, 1));
   }
 
   template <typename SampledSurface, typename RadialBasisFunction>
@@ -173,7 +169,7 @@ private:
         return;
     }
     for_each_patch<ConcurrencyTag>(Fit(surface, phi, options), surface.size(), patches, output,
-                                   callback_of(passes - 1, passes));
+                                   pass_callback(passes - 1, passes));
   }
 
   // The samples whose places have a part in the last pass, if so many are to follow: where a single sample is asked for, all.
@@ -223,7 +219,7 @@ private:
       points[i] += local.displacement;
       normals[i] = local.gradient.normalized();
     };
-    if(!for_each_patch<ConcurrencyTag>(fit, surface.size(), patches, {move}, callback_of(pass, passes)))
+    if(!for_each_patch<ConcurrencyTag>(fit, surface.size(), patches, {move}, pass_callback(pass, passes)))
       return false;
     for(std::size_t i = 0; i < surface.size(); ++i)
       surface.set_point(i, points[i]);
@@ -231,7 +227,7 @@ private:
     return true;
   }
 
-  std::function<bool(double)> callback_of(std::size_t pass, std::size_t passes) const
+  std::function<bool(double)> pass_callback(std::size_t pass, std::size_t passes) const
   {
     if(!m_callback)
       return {};
@@ -248,6 +244,20 @@ private:
   std::uint64_t m_seed;
   std::function<bool(double)> m_callback;
 };
+
+template <typename ConcurrencyTag>
+template <typename SampledSurface, typename RadialBasisFunction>
+void Hermite_rbf_fitter<ConcurrencyTag>::operator()(SampledSurface& surface,
+                                                    const RadialBasisFunction& phi,
+                                                    std::size_t size,
+                                                    const std::vector<Index>& only,
+                                                    const Output& output) const
+{
+  if constexpr(RadialBasisFunction::is_positive_definite)
+    fit_positive_definite(surface, phi, size, only, output);
+  else
+    fit_indefinite(surface, phi, size, only, output);
+}
 
 // the same with the basis function that the named parameters say
 template <typename ConcurrencyTag, typename SampledSurface, typename NamedParameters>

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_REGISTRATION_REGISTER_PARTIAL_SCANS_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/normals/Normal_weighting.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
@@ -179,8 +180,7 @@ auto register_partial_scans(const Source& source,
   options.maximum_number_of_samples = static_cast<std::size_t>(samples);
   options.seed =
       static_cast<std::uint64_t>(choose_parameter(get_parameter(np_source, internal_np::random_seed), 0));
-  options.callback =
-      choose_parameter(get_parameter(np_source, internal_np::callback), std::function<bool(double)>());
+  options.callback = internal::callback_of(np_source);
 
   const internal::Registration_outcome outcome = internal::Scan_registrar<ConcurrencyTag>::run(
       internal::oriented_points_of<ConcurrencyTag>(source, np_source),

@@ -43,14 +43,13 @@ private:
   std::vector<std::unique_ptr<Workspace> > m_free;
 };
 
-// The same as the public one for `i` in `[first, last)`, with workspaces that outlive it.
-template <typename ConcurrencyTag, typename Workspace, typename Function>
-bool for_each_sample_between(Workspace_pool<Workspace>& pool,
-                             std::size_t first,
-                             std::size_t last,
-                             const Function& function,
-                             const std::function<bool(double)>& callback,
-                             std::size_t block_size)
+// `visit(begin, end)` for blocks of `[first, last)`, as the public function below visits samples.
+template <typename ConcurrencyTag>
+bool for_each_block(std::size_t first,
+                    std::size_t last,
+                    std::size_t block_size,
+                    const std::function<void(std::size_t, std::size_t)>& visit,
+                    const std::function<bool(double)>& callback)
 {
   std::vector<std::size_t> blocks((last - first + block_size - 1) / block_size);
   for(std::size_t b = 0; b < blocks.size(); ++b)
@@ -66,10 +65,7 @@ bool for_each_sample_between(Workspace_pool<Workspace>& pool,
                                    if(!go_on.load(std::memory_order_relaxed))
                                      return false;
                                    const std::size_t end = (std::min)(begin + block_size, last);
-                                   std::unique_ptr<Workspace> workspace = pool.acquire();
-                                   for(std::size_t i = begin; i < end; ++i)
-                                     function(i, *workspace);
-                                   pool.release(std::move(workspace));
+                                   visit(begin, end);
                                    if(callback)
                                    {
                                      const std::lock_guard<std::mutex> lock(callback_mutex);
@@ -80,6 +76,27 @@ bool for_each_sample_between(Workspace_pool<Workspace>& pool,
                                    return true;
                                  });
   return go_on;
+}
+
+// The same as the public function for `i` in `[first, last)`, with workspaces that outlive it.
+template <typename ConcurrencyTag, typename Workspace, typename Function>
+bool for_each_sample_between(Workspace_pool<Workspace>& pool,
+                             std::size_t first,
+                             std::size_t last,
+                             const Function& function,
+                             const std::function<bool(double)>& callback,
+                             std::size_t block_size)
+{
+  return for_each_block<ConcurrencyTag>(
+      first, last, block_size,
+      [&](const std::size_t begin, const std::size_t end)
+      {
+        std::unique_ptr<Workspace> workspace = pool.acquire();
+        for(std::size_t i = begin; i < end; ++i)
+          function(i, *workspace);
+        pool.release(std::move(workspace));
+      },
+      callback);
 }
 
 } // namespace internal

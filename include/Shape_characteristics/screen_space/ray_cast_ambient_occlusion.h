@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SCREEN_SPACE_RAY_CAST_AMBIENT_OCCLUSION_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/screen_space/internal/Ambient_ray_caster.h>
 
@@ -99,8 +100,7 @@ std::size_t ray_cast_ambient_occlusion(const FaceGraph& mesh,
     throw std::invalid_argument("ray_cast_ambient_occlusion: `maximum_ray_length` must be positive");
   const auto point_map = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                           CGAL::get_const_property_map(CGAL::vertex_point, mesh));
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = internal::callback_of(np);
 
   const internal::Ambient_ray_caster caster(mesh, point_map);
   const Eigen::Matrix3d to_world = g_buffer.camera().view().template topLeftCorner<3, 3>().transpose();

@@ -1,8 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ESTIMATE_CURVATURES_H
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ESTIMATE_CURVATURES_H
 
-#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
@@ -19,16 +19,14 @@ namespace internal {
 // What an estimator says of the samples `0, ..., size - 1`. An estimator has a type `Workspace` and a member
 // `Curvature_estimate operator()(std::size_t, Workspace&) const` (or one that returns a type derived from it). Samples
 // before which the callback stopped the computation are CANCELLED.
-template <typename ConcurrencyTag, typename Estimator, typename NamedParameters>
-auto estimate_curvatures(const Estimator& estimator, std::size_t size, const NamedParameters& np)
+template <typename ConcurrencyTag, typename Estimator>
+auto estimate_curvatures(const Estimator& estimator,
+                         std::size_t size,
+                         const std::function<bool(double)>& callback)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Workspace = typename Estimator::Workspace;
   using Estimate = decltype(estimator(std::size_t(), std::declval<Workspace&>()));
 
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
   std::vector<Estimate> estimates(size);
   for_each_sample<ConcurrencyTag, Workspace>(
       size, [&](const std::size_t i, Workspace& workspace) { estimates[i] = estimator(i, workspace); },
@@ -36,21 +34,21 @@ auto estimate_curvatures(const Estimator& estimator, std::size_t size, const Nam
   return estimates;
 }
 
-// The same, handed over to `write(sample, estimate)` by one thread and in the order of the samples, some thousands at a
-// time: less memory, and what was just computed is still in the cache.
-template <typename ConcurrencyTag, typename Estimator, typename NamedParameters, typename Write>
+// writes the estimates `estimates[0], ...` of the samples `first, ..., last - 1`
+using Write_curvatures =
+    std::function<void(std::size_t first, std::size_t last, Curvature_estimate* estimates)>;
+
+// The same, handed over to `write` by one thread and in the order of the samples, some thousands at a time: less memory, and what
+// was just computed is still in the cache. No named parameters: what is computed is compiled once, whatever they are.
+template <typename ConcurrencyTag, typename Estimator>
 void estimate_and_write(const Estimator& estimator,
                         std::size_t size,
-                        const NamedParameters& np,
-                        const Write& write)
+                        const std::function<bool(double)>& callback,
+                        const Write_curvatures& write)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Workspace = typename Estimator::Workspace;
   constexpr std::size_t most_at_a_time = 16384, block_size = 128;
 
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
   Workspace_pool<Workspace> pool;
   std::vector<Curvature_estimate> estimates((std::min)(size, most_at_a_time));
   bool go_on = true;
@@ -68,8 +66,7 @@ void estimate_and_write(const Estimator& estimator,
                          pool, begin, end,
                          [&](const std::size_t i, Workspace& w) { estimates[i - begin] = estimator(i, w); },
                          callback_of_all, block_size);
-    for(std::size_t i = begin; i < end; ++i)
-      write(i, estimates[i - begin]);
+    write(begin, end, estimates.data());
   }
 }
 
@@ -83,13 +80,17 @@ std::size_t estimate_vertices(const FaceGraph& mesh,
   Duplicates duplicates(samples);
   std::size_t failures = 0;
   auto v = vertices(mesh).begin();
-  estimate_and_write<ConcurrencyTag>(estimator, samples.size(), np,
-                                     [&](const std::size_t i, Curvature_estimate& estimate)
-                                     {
-                                       duplicates.mark(i, estimate);
-                                       failures += !is_estimated(estimate.status);
-                                       write_to_vertex(*v++, estimate, np);
-                                     });
+  estimate_and_write<ConcurrencyTag>(
+      estimator, samples.size(), callback_of(np),
+      [&](const std::size_t first, const std::size_t last, Curvature_estimate* estimate)
+      {
+        for(std::size_t i = first; i < last; ++i, ++estimate)
+        {
+          duplicates.mark(i, *estimate);
+          failures += !is_estimated(estimate->status);
+          write_to_vertex(*v++, *estimate, np);
+        }
+      });
   return failures;
 }
 
@@ -100,14 +101,18 @@ estimate_points(PointRange& points, std::size_t size, const Estimator& estimator
 {
   std::size_t failures = 0;
   auto item = std::begin(points);
-  estimate_and_write<ConcurrencyTag>(estimator, size, np,
-                                     [&](std::size_t, const Curvature_estimate& estimate)
-                                     {
-                                       failures += !is_estimated(estimate.status);
-                                       auto&& value = *item; // some ranges have no elements, but stand-ins
-                                       write_to_item(value, estimate, np);
-                                       ++item;
-                                     });
+  estimate_and_write<ConcurrencyTag>(
+      estimator, size, callback_of(np),
+      [&](const std::size_t first, const std::size_t last, const Curvature_estimate* estimate)
+      {
+        for(std::size_t i = first; i < last; ++i, ++estimate)
+        {
+          failures += !is_estimated(estimate->status);
+          auto&& value = *item; // some ranges have no elements, but stand-ins
+          write_to_item(value, *estimate, np);
+          ++item;
+        }
+      });
   return failures;
 }
 

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
+#include <Shape_characteristics/internal/callback_of.h>
 
 #include <cstddef>
 #include <functional>
@@ -38,12 +39,10 @@ template <typename ConcurrencyTag, typename Descriptor, typename NamedParameters
 Descriptor_matrix
 compute_descriptors_of(const Descriptor& descriptor, std::size_t size, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
-  const std::function<bool(double)> callback =
-      choose_parameter(get_parameter(np, internal_np::callback), std::function<bool(double)>());
+  const std::function<bool(double)> callback = callback_of(np);
   if constexpr(is_default_parameter<NamedParameters, internal_np::descriptor_samples_t>::value)
     return compute_descriptors<ConcurrencyTag>(descriptor, size, callback);
   else
