@@ -2,7 +2,7 @@
 #
 # Shape_characteristics_development    the library, our warnings and sanitizers, TBB where it is found
 # Shape_characteristics_OpenMesh       OpenMesh, where it is found
-# Shape_characteristics_precompiled    precompiled/: headers of other libraries, and what takes long to compile, of them and of ours
+# Shape_characteristics_precompiled    precompiled/: headers that most programs include, and templates that most instantiate
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
@@ -51,15 +51,20 @@ function(shape_characteristics_do_not_sanitize source)
   endif()
 endfunction()
 
-add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL
-  ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/precompiled/hermite_batch_functions.cpp)
-target_compile_definitions(Shape_characteristics_precompiled PUBLIC
-  SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED)
-target_include_directories(Shape_characteristics_precompiled INTERFACE ${CMAKE_CURRENT_LIST_DIR}/precompiled)
+# One source file for each list of templates; what is precompiled is included before it. Made of precompiled/templates/, so that
+# all are listed there alone.
+file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
+set(sources "")
+foreach(list IN LISTS lists)
+  string(REGEX REPLACE "\\.h$" ".cpp" source ${CMAKE_CURRENT_BINARY_DIR}/precompiled/${list})
+  file(CONFIGURE OUTPUT ${source} CONTENT "#include <precompiled.h>\n#define SHAPE_CHARACTERISTICS_TEMPLATE template\n#include <${list}>\n")
+  list(APPEND sources ${source})
+endforeach()
+add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources})
+target_include_directories(Shape_characteristics_precompiled PUBLIC ${CMAKE_CURRENT_LIST_DIR}/precompiled)
 target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
 target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
-shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.cpp)
+shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/other_libraries.cpp)
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
 find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh)

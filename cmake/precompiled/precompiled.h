@@ -1,49 +1,47 @@
 #ifndef SHAPE_CHARACTERISTICS_PRECOMPILED_H
 #define SHAPE_CHARACTERISTICS_PRECOMPILED_H
 
-// What most tests, examples and benchmarks include and none changes: compiled once, before them. To read a mesh, or to
-// decompose a matrix, takes the compiler longer than what most of them do with it: that is in precompiled.cpp.
+// What most tests, examples and benchmarks include, compiled once, before them. Half of what a compiler makes of each of them is
+// the same code of a few templates: those in templates/ are compiled once, too, into a library.
 
-#include <CGAL/Dynamic_property_map.h>
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
-#include <CGAL/Polyhedron_3.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
-#include <CGAL/boost/graph/iterator.h>
-#include <CGAL/for_each.h>
-#include <CGAL/property_map.h>
+#include "other_libraries.h"
 
-#include <Eigen/Dense>
+#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
+#include <Shape_characteristics/interpolation/Matern_9_2.h>
+#include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
+#include <Shape_characteristics/normals/sampled_surface.h>
+#include <Shape_characteristics/normals/vertex_normals.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/scalable_allocator.h>
-#endif
+#include <CGAL/Eigen_svd.h>
+#include <CGAL/Monge_via_jet_fitting.h>
 
+#include <boost/array.hpp>
+
+#include <array>
+#include <cstdint>
 #include <functional>
-#include <mutex>
-#include <string>
-#include <unordered_map>
+#include <vector>
 
-extern template bool CGAL::IO::read_polygon_mesh(const std::string&,
-                                                 CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>&,
-                                                 const CGAL::parameters::Default_named_parameters&);
-extern template bool CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(
-    const std::string&,
-    CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>&,
-    const CGAL::parameters::Default_named_parameters&);
+namespace precompiled {
 
-namespace Eigen {
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Polyhedron = CGAL::Polyhedron_3<Kernel>;
+using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
+template <typename FaceGraph>
+using Points_of = typename boost::property_map<FaceGraph, CGAL::vertex_point_t>::const_type;
 
-extern template class JacobiSVD<MatrixXd>; // CGAL's jets
-extern template class LDLT<MatrixXd>;
-extern template LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
-extern template void LDLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&) const;
-extern template SelfAdjointEigenSolver<Matrix<double, 6, 6>>&
-SelfAdjointEigenSolver<Matrix<double, 6, 6>>::compute(const EigenBase<Matrix<double, 6, 6>>&, int);
+} // namespace precompiled
 
-} // namespace Eigen
+// Each list of templates is included by all programs as it is here, and by one source file, which defines it.
+#define SHAPE_CHARACTERISTICS_TEMPLATE extern template
+#include "templates/hermite_rbf.h"
+#include "templates/hermite_rbf_of_meshes.h"
+#include "templates/hermite_rbf_of_point_sets.h"
+#include "templates/meshes.h"
+#include "templates/other_libraries.h"
+#include "templates/samples.h"
+#include "templates/samples_of_polyhedra.h"
+#undef SHAPE_CHARACTERISTICS_TEMPLATE
 
 #endif // SHAPE_CHARACTERISTICS_PRECOMPILED_H

@@ -5,10 +5,6 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_factorization.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_function_on_lanes.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_refinement_on_lanes.h>
-#ifdef SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED
-#include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
-#include <Shape_characteristics/interpolation/Matern_9_2.h>
-#endif
 
 #include <cstddef>
 
@@ -165,13 +161,6 @@ Hermite_batch_functions<RadialBasisFunction>::best([[maybe_unused]] const std::s
 #endif
   return plain<1>();
 }
-
-#ifdef SHAPE_CHARACTERISTICS_HERMITE_BATCH_FUNCTIONS_ARE_COMPILED
-// by another source of the program: those of the basis functions that estimators take by default
-extern template Hermite_batch_functions<Inverse_multiquadric>
-    Hermite_batch_functions<Inverse_multiquadric>::best(std::size_t);
-extern template Hermite_batch_functions<Matern_9_2> Hermite_batch_functions<Matern_9_2>::best(std::size_t);
-#endif
 
 } // namespace internal
 } // namespace Shape_characteristics

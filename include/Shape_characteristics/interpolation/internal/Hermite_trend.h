@@ -16,7 +16,9 @@ struct Hermite_trend
   Hermite_trend() = default;
   explicit Hermite_trend(const Eigen::Vector3d& linear) : w(linear) {}
 
-  Hermite_jet operator()(const Eigen::Vector3d& x) const
+  // A template, so that its long expressions are compiled where they are used alone.
+  template <typename Vector>
+  Hermite_jet operator()(const Vector& x) const
   {
     const double a = u.dot(x), b = v.dot(x);
     double h = 0., ha = 0., hb = 0., haa = 0., hab = 0., hbb = 0.;

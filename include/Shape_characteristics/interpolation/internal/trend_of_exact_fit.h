@@ -24,9 +24,11 @@ namespace internal {
   A flat basis function needs large weights of opposite signs to follow a polynomial, and loses as many digits. Where samples are
   close, a polynomial is nearly all that there is.
 
-  This is plain Eigen; Hermite_function_on_lanes does the same side by side.
+  This is plain Eigen; Hermite_function_on_lanes does the same side by side. `Neighborhood` is Scaled_neighborhood; a template, so
+  that it is compiled where it is used alone.
 */
-inline Hermite_trend trend_of_exact_fit(const Scaled_neighborhood& neighborhood, double unit)
+template <typename Neighborhood>
+Hermite_trend trend_of_exact_fit(const Neighborhood& neighborhood, double unit)
 {
   constexpr Eigen::Index size = Eigen::Index(Height_polynomial<double>::size);
   const std::size_t number_of_points = neighborhood.points.size();

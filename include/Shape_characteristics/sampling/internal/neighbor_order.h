@@ -42,31 +42,9 @@ public:
     return lexicographically_smaller(samples.normal(a.second), samples.normal(b.second));
   }
 
+  // Not inline: a program may instantiate it in one source file for all.
   template <typename Samples>
-  void sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors)
-  {
-    const Eigen::Vector3d& p = samples.point(center);
-    const std::size_t n = neighbors.size();
-    m_squares.resize(n);
-    double largest = 0.;
-    for(std::size_t k = 0; k < n; ++k)
-    {
-      m_squares[k] = (samples.point(neighbors[k]) - p).squaredNorm();
-      largest = (std::max)(largest, m_squares[k]);
-    }
-    const Rounded_distance rounded(largest);
-    m_distances.resize(n);
-    for(std::size_t k = 0; k < n; ++k)
-      m_distances[k] = {rounded(m_squares[k]), neighbors[k]};
-    const auto is_before = [&](const Key& a, const Key& b)
-    { return comes_before(samples, p, rounded, a, samples.point(a.second), b, samples.point(b.second)); };
-    if(n <= s_most_ranked)
-      sort_few(is_before);
-    else
-      std::sort(m_distances.begin(), m_distances.end(), is_before);
-    for(std::size_t k = 0; k < n; ++k)
-      neighbors[k] = m_distances[k].second;
-  }
+  void sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors);
 
 private:
   static constexpr int s_index_bits = 6;
@@ -108,6 +86,32 @@ private:
   std::vector<double> m_squares;
   std::vector<Key> m_distances, m_sorted;
 };
+
+template <typename Samples>
+void Neighbor_order::sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors)
+{
+  const Eigen::Vector3d& p = samples.point(center);
+  const std::size_t n = neighbors.size();
+  m_squares.resize(n);
+  double largest = 0.;
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    m_squares[k] = (samples.point(neighbors[k]) - p).squaredNorm();
+    largest = (std::max)(largest, m_squares[k]);
+  }
+  const Rounded_distance rounded(largest);
+  m_distances.resize(n);
+  for(std::size_t k = 0; k < n; ++k)
+    m_distances[k] = {rounded(m_squares[k]), neighbors[k]};
+  const auto is_before = [&](const Key& a, const Key& b)
+  { return comes_before(samples, p, rounded, a, samples.point(a.second), b, samples.point(b.second)); };
+  if(n <= s_most_ranked)
+    sort_few(is_before);
+  else
+    std::sort(m_distances.begin(), m_distances.end(), is_before);
+  for(std::size_t k = 0; k < n; ++k)
+    neighbors[k] = m_distances[k].second;
+}
 
 } // namespace internal
 } // namespace Shape_characteristics
