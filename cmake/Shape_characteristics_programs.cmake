@@ -51,8 +51,7 @@ function(shape_characteristics_do_not_sanitize source)
   endif()
 endfunction()
 
-# One source file for each list of templates; what is precompiled is included before it. Made of precompiled/templates/, so that
-# all are listed there alone.
+# one source file for each list of templates
 file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
 set(sources "")
 foreach(list IN LISTS lists)
