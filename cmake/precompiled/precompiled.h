@@ -35,6 +35,20 @@ using Points_of = typename boost::property_map<FaceGraph, CGAL::vertex_point_t>:
 
 // Each list of templates is included by all programs as it is here, and by one source file, which defines it.
 #define SHAPE_CHARACTERISTICS_TEMPLATE extern template
+#ifdef CGAL_LINKED_WITH_TBB
+#define SHAPE_CHARACTERISTICS_FOR_EACH_TAG(TEMPLATES)                                                        \
+  TEMPLATES(CGAL::Sequential_tag) TEMPLATES(CGAL::Parallel_tag)
+#else
+#define SHAPE_CHARACTERISTICS_FOR_EACH_TAG(TEMPLATES) TEMPLATES(CGAL::Sequential_tag)
+#endif
+#define SHAPE_CHARACTERISTICS_SAMPLES_OF(FaceGraph, Tag)                                                     \
+  SHAPE_CHARACTERISTICS_TEMPLATE Face_graph_samples::Face_graph_samples(                                     \
+      const FaceGraph&, const precompiled::Points_of<FaceGraph>&, const Neighborhood&, Connectivity, Tag);
+#define SHAPE_CHARACTERISTICS_HERMITE_RBF_OF(Samples, Tag)                                                   \
+  SHAPE_CHARACTERISTICS_TEMPLATE void Hermite_rbf_fitter<Tag>::operator()(                                   \
+      Samples&, const Inverse_multiquadric&, std::size_t, const std::vector<Index>&, const Output&) const;   \
+  SHAPE_CHARACTERISTICS_TEMPLATE void Hermite_rbf_fitter<Tag>::operator()(                                   \
+      Samples&, const Matern_9_2&, std::size_t, const std::vector<Index>&, const Output&) const;
 #include "templates/hermite_rbf.h"
 #include "templates/hermite_rbf_of_meshes.h"
 #include "templates/hermite_rbf_of_point_sets.h"

@@ -1,32 +1,10 @@
+#define SHAPE_CHARACTERISTICS_HERMITE_RBF_OF_POINT_SETS(Tag)                                                 \
+  SHAPE_CHARACTERISTICS_HERMITE_RBF_OF(Point_set_samples, Tag)
+
 namespace Shape_characteristics {
 namespace internal {
 
-#ifdef CGAL_LINKED_WITH_TBB
-SHAPE_CHARACTERISTICS_TEMPLATE void
-Hermite_rbf_fitter<CGAL::Parallel_tag>::operator()(Point_set_samples&,
-                                                   const Inverse_multiquadric&,
-                                                   std::size_t,
-                                                   const std::vector<Index>&,
-                                                   const Output&) const;
-SHAPE_CHARACTERISTICS_TEMPLATE void
-Hermite_rbf_fitter<CGAL::Parallel_tag>::operator()(Point_set_samples&,
-                                                   const Matern_9_2&,
-                                                   std::size_t,
-                                                   const std::vector<Index>&,
-                                                   const Output&) const;
-#endif
-SHAPE_CHARACTERISTICS_TEMPLATE void
-Hermite_rbf_fitter<CGAL::Sequential_tag>::operator()(Point_set_samples&,
-                                                     const Inverse_multiquadric&,
-                                                     std::size_t,
-                                                     const std::vector<Index>&,
-                                                     const Output&) const;
-SHAPE_CHARACTERISTICS_TEMPLATE void
-Hermite_rbf_fitter<CGAL::Sequential_tag>::operator()(Point_set_samples&,
-                                                     const Matern_9_2&,
-                                                     std::size_t,
-                                                     const std::vector<Index>&,
-                                                     const Output&) const;
+SHAPE_CHARACTERISTICS_FOR_EACH_TAG(SHAPE_CHARACTERISTICS_HERMITE_RBF_OF_POINT_SETS)
 
 } // namespace internal
 } // namespace Shape_characteristics

@@ -1,22 +1,16 @@
+#define SHAPE_CHARACTERISTICS_TEMPLATES_OF_SAMPLES(Tag)                                                      \
+  SHAPE_CHARACTERISTICS_TEMPLATE std::vector<Eigen::Vector3d> vertex_normals<Tag>(const Face_graph_samples&, \
+                                                                                  Normal_weighting);         \
+  SHAPE_CHARACTERISTICS_TEMPLATE bool internal::for_each_block<Tag>(                                         \
+      std::size_t, std::size_t, std::size_t, const std::function<void(std::size_t, std::size_t)>&,           \
+      const std::function<bool(double)>&);                                                                   \
+  SHAPE_CHARACTERISTICS_SAMPLES_OF(precompiled::Mesh, Tag)
+
 SHAPE_CHARACTERISTICS_TEMPLATE class std::vector<Eigen::Vector3d>;
 
 namespace Shape_characteristics {
 
-SHAPE_CHARACTERISTICS_TEMPLATE
-Face_graph_samples::Face_graph_samples(const precompiled::Mesh&,
-                                       const precompiled::Points_of<precompiled::Mesh>&,
-                                       const Neighborhood&,
-                                       Connectivity,
-                                       CGAL::Sequential_tag);
-SHAPE_CHARACTERISTICS_TEMPLATE std::vector<Eigen::Vector3d>
-vertex_normals<CGAL::Sequential_tag>(const Face_graph_samples&, Normal_weighting);
-
-SHAPE_CHARACTERISTICS_TEMPLATE bool
-internal::for_each_block<CGAL::Sequential_tag>(std::size_t,
-                                               std::size_t,
-                                               std::size_t,
-                                               const std::function<void(std::size_t, std::size_t)>&,
-                                               const std::function<bool(double)>&);
+SHAPE_CHARACTERISTICS_FOR_EACH_TAG(SHAPE_CHARACTERISTICS_TEMPLATES_OF_SAMPLES)
 
 // of a vertex and its surroundings
 SHAPE_CHARACTERISTICS_TEMPLATE
@@ -31,22 +25,5 @@ SHAPE_CHARACTERISTICS_TEMPLATE void
 internal::Neighbor_order::sort(const Face_graph_samples&, std::size_t, std::vector<std::uint32_t>&);
 SHAPE_CHARACTERISTICS_TEMPLATE void
 internal::Neighbor_order::sort(const Point_set_samples&, std::size_t, std::vector<std::uint32_t>&);
-
-#ifdef CGAL_LINKED_WITH_TBB
-SHAPE_CHARACTERISTICS_TEMPLATE
-Face_graph_samples::Face_graph_samples(const precompiled::Mesh&,
-                                       const precompiled::Points_of<precompiled::Mesh>&,
-                                       const Neighborhood&,
-                                       Connectivity,
-                                       CGAL::Parallel_tag);
-SHAPE_CHARACTERISTICS_TEMPLATE std::vector<Eigen::Vector3d>
-vertex_normals<CGAL::Parallel_tag>(const Face_graph_samples&, Normal_weighting);
-SHAPE_CHARACTERISTICS_TEMPLATE bool
-internal::for_each_block<CGAL::Parallel_tag>(std::size_t,
-                                             std::size_t,
-                                             std::size_t,
-                                             const std::function<void(std::size_t, std::size_t)>&,
-                                             const std::function<bool(double)>&);
-#endif
 
 } // namespace Shape_characteristics
