@@ -6,6 +6,7 @@
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
+# shape_characteristics_include_each()     source files that include a header each
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
 option(SHAPE_CHARACTERISTICS_AVX2 "Compile for AVX2 and FMA, if this machine has them" OFF)
@@ -51,14 +52,20 @@ function(shape_characteristics_do_not_sanitize source)
   endif()
 endfunction()
 
-# one source file for each list of templates
+# Sets `result` to source files below `folder`, one for each of the headers that follow: it includes that header after `preamble`.
+function(shape_characteristics_include_each result folder preamble)
+  set(sources "")
+  foreach(header IN LISTS ARGN)
+    string(REGEX REPLACE "\\.h$" ".cpp" source ${folder}/${header})
+    file(CONFIGURE OUTPUT ${source} CONTENT "${preamble}#include <${header}>\n")
+    list(APPEND sources ${source})
+  endforeach()
+  set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
 file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
-set(sources "")
-foreach(list IN LISTS lists)
-  string(REGEX REPLACE "\\.h$" ".cpp" source ${CMAKE_CURRENT_BINARY_DIR}/precompiled/${list})
-  file(CONFIGURE OUTPUT ${source} CONTENT "#include <precompiled.h>\n#define SHAPE_CHARACTERISTICS_TEMPLATE template\n#include <${list}>\n")
-  list(APPEND sources ${source})
-endforeach()
+shape_characteristics_include_each(sources ${CMAKE_CURRENT_BINARY_DIR}/precompiled
+  "#include <precompiled.h>\n#define SHAPE_CHARACTERISTICS_TEMPLATE template\n" ${lists})
 add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources})
 target_include_directories(Shape_characteristics_precompiled PUBLIC ${CMAKE_CURRENT_LIST_DIR}/precompiled)
 target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)

@@ -41,21 +41,10 @@ using Points_of = typename boost::property_map<FaceGraph, CGAL::vertex_point_t>:
 #else
 #define SHAPE_CHARACTERISTICS_FOR_EACH_TAG(TEMPLATES) TEMPLATES(CGAL::Sequential_tag)
 #endif
-#define SHAPE_CHARACTERISTICS_SAMPLES_OF(FaceGraph, Tag)                                                     \
-  SHAPE_CHARACTERISTICS_TEMPLATE Face_graph_samples::Face_graph_samples(                                     \
-      const FaceGraph&, const precompiled::Points_of<FaceGraph>&, const Neighborhood&, Connectivity, Tag);
-#define SHAPE_CHARACTERISTICS_HERMITE_RBF_OF(Samples, Tag)                                                   \
-  SHAPE_CHARACTERISTICS_TEMPLATE void Hermite_rbf_fitter<Tag>::operator()(                                   \
-      Samples&, const Inverse_multiquadric&, std::size_t, const std::vector<Index>&, const Output&) const;   \
-  SHAPE_CHARACTERISTICS_TEMPLATE void Hermite_rbf_fitter<Tag>::operator()(                                   \
-      Samples&, const Matern_9_2&, std::size_t, const std::vector<Index>&, const Output&) const;
 #include "templates/hermite_rbf.h"
-#include "templates/hermite_rbf_of_meshes.h"
-#include "templates/hermite_rbf_of_point_sets.h"
 #include "templates/meshes.h"
 #include "templates/other_libraries.h"
 #include "templates/samples.h"
-#include "templates/samples_of_polyhedra.h"
 #undef SHAPE_CHARACTERISTICS_TEMPLATE
 
 #endif // SHAPE_CHARACTERISTICS_PRECOMPILED_H
