@@ -60,39 +60,50 @@ public:
     if(!(sigma > 0.) || m_values.empty())
       return *this;
     const int reach = std::max(1, int(std::ceil(3. * sigma)));
-    std::vector<double> kernel(std::size_t(reach) + 1);
-    for(int k = 0; k <= reach; ++k)
-      kernel[std::size_t(k)] = std::exp(-.5 * k * k / (sigma * sigma));
-    std::vector<double> sums(m_values.size()), weights(m_values.size());
+    std::vector<double> kernel(std::size_t(2 * reach) + 1);
+    for(int k = -reach; k <= reach; ++k)
+      kernel[std::size_t(k + reach)] = std::exp(-.5 * k * k / (sigma * sigma));
+
+    // A column of these arrays is a row of the image. Some pixels at a time stay in registers: the last ones may be beyond its end.
+    constexpr int lanes = 8;
+    using Pixels = Eigen::Array<double, lanes, 1>;
+    const int width = (m_width + lanes - 1) / lanes * lanes;
+    const Eigen::Map<const Eigen::ArrayXXd> values(m_values.data(), m_width, m_height);
+    Eigen::ArrayXXd sums(width, m_height), weights(width, m_height);
+    Eigen::ArrayXd known = Eigen::ArrayXd::Zero(width + 2 * reach), is_known = known;
     for(int j = 0; j < m_height; ++j)
+    {
       for(int i = 0; i < m_width; ++i)
       {
-        double sum = 0., weight = 0.;
-        for(int k = std::max(-reach, -i), end = std::min(reach, m_width - 1 - i); k <= end; ++k)
-        {
-          const double value = (*this)(i + k, j);
-          if(std::isnan(value))
-            continue;
-          sum += kernel[std::size_t(std::abs(k))] * value;
-          weight += kernel[std::size_t(std::abs(k))];
-        }
-        sums[std::size_t(j) * std::size_t(m_width) + std::size_t(i)] = sum;
-        weights[std::size_t(j) * std::size_t(m_width) + std::size_t(i)] = weight;
+        const bool is_there = !std::isnan(values(i, j));
+        known[reach + i] = is_there ? values(i, j) : 0.;
+        is_known[reach + i] = is_there ? 1. : 0.;
       }
+      for(int i = 0; i < width; i += lanes)
+      {
+        Pixels sum = Pixels::Zero(), weight = sum;
+        for(int k = 0; k <= 2 * reach; ++k)
+        {
+          sum += kernel[std::size_t(k)] * known.segment<lanes>(i + k);
+          weight += kernel[std::size_t(k)] * is_known.segment<lanes>(i + k);
+        }
+        sums.col(j).segment<lanes>(i) = sum;
+        weights.col(j).segment<lanes>(i) = weight;
+      }
+    }
     Scalar_image result(m_width, m_height);
     for(int j = 0; j < m_height; ++j)
-      for(int i = 0; i < m_width; ++i)
+      for(int i = 0; i < width; i += lanes)
       {
-        if(std::isnan((*this)(i, j)))
-          continue;
-        double sum = 0., weight = 0.;
-        for(int k = std::max(-reach, -j), end = std::min(reach, m_height - 1 - j); k <= end; ++k)
+        Pixels sum = Pixels::Zero(), weight = sum;
+        for(int k = std::max(0, reach - j); k <= std::min(2 * reach, reach + m_height - 1 - j); ++k)
         {
-          const std::size_t at = std::size_t(j + k) * std::size_t(m_width) + std::size_t(i);
-          sum += kernel[std::size_t(std::abs(k))] * sums[at];
-          weight += kernel[std::size_t(std::abs(k))] * weights[at];
+          sum += kernel[std::size_t(k)] * sums.col(j + k - reach).segment<lanes>(i);
+          weight += kernel[std::size_t(k)] * weights.col(j + k - reach).segment<lanes>(i);
         }
-        result(i, j) = sum / weight;
+        for(int l = 0; l < lanes && i + l < m_width; ++l)
+          if(!std::isnan(values(i + l, j)))
+            result(i + l, j) = sum[l] / weight[l];
       }
     return result;
   }

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 #include <Shape_characteristics/head_features/internal/Mouth_finder.h>
+#include <Shape_characteristics/head_features/internal/Skin_view.h>
 #include <Shape_characteristics/head_features/internal/Surface_patch.h>
 #include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 
@@ -90,8 +91,8 @@ private:
     {
       m_found = Found_head_features();
       normalize();
-      m_view.emplace(m_surface, m_components);
-      const std::optional<Eigen::Vector3d> tip = nose_tip();
+      Skin_view view(m_surface, m_components);
+      const std::optional<Eigen::Vector3d> tip = nose_tip(view);
       if(!tip)
         return false;
       // what follows is seen from the tip
@@ -100,6 +101,7 @@ private:
         m_origin += m_unit * *tip;
         continue;
       }
+      m_view.emplace(std::move(view));
       find_eyes();
       // the distance of the eyes is the best measure of a head: no jaw, hair or hat changes it
       const double scale = distance_of_eyes() / s_distance_of_eyes;
@@ -166,18 +168,18 @@ private:
 
   // The tip is where the nose reaches farthest forward and a little upward: farthest forward alone is the lower side of noses
   // that point upwards.
-  std::optional<Eigen::Vector3d> nose_tip()
+  std::optional<Eigen::Vector3d> nose_tip(const Skin_view& view)
   {
-    const Face_view::Smooth_part z = m_view->smooth_part(-.06, .06, -.08, .08, .02);
+    const Skin_view::Smooth_part z = view.smooth_part(-.06, .06, -.08, .08, .02);
     const auto reach = [&](int i, int j)
     {
-      return m_view->is_skin(i, j) && !std::isnan(z(i, j)) ? z(i, j) + s_upward * m_view->v(j)
-                                                           : -std::numeric_limits<double>::infinity();
+      return view.is_skin(i, j) && !std::isnan(z(i, j)) ? z(i, j) + s_upward * view.v(j)
+                                                        : -std::numeric_limits<double>::infinity();
     };
-    const Face_view::Extremum tip = m_view->maximum(-.06, .06, -.08, .08, reach);
+    const Skin_view::Extremum tip = view.maximum(-.06, .06, -.08, .08, reach);
     if(!std::isfinite(tip.value))
       return std::nullopt;
-    const Surface_point place = m_view->skin_point(tip.u, tip.v);
+    const Surface_point place = view.skin_point(tip.u, tip.v);
     if(!place.is_valid())
       return std::nullopt;
     set(Head_feature::NOSE_TIP, place, tip.is_inside ? 1. : .5);
