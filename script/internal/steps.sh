@@ -30,7 +30,7 @@ finish()
   exit $failed
 }
 
-# configure <preset>, build <preset> [target], run_tests <preset>
+# configure <preset>, build <preset> [target ...], run_tests <preset>
 configure()
 {
   # Ninja compiles a program while the libraries that it is linked with are being built: make waits. (Where a folder was
@@ -40,7 +40,7 @@ configure()
   [[ $1 == release || $1 == test ]] && warnings_as_errors=ON
   cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
 }
-build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--target "$2"}; } # one more, for who waits
+build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--target "${@:2}"}; } # one more, for who waits
 run_tests() { ctest --preset "$1" --parallel "$(parallel_jobs)"; }
 
 # As many as there are processors, and so many more, as far as memory goes: a compiler that reads CGAL and Eigen takes up to

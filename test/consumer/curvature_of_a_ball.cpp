@@ -1,5 +1,5 @@
 // The same header as main.cpp: a program may have several sources that include the library.
-#include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -28,9 +28,8 @@ double curvature_of_a_ball(double radius)
   }
 
   auto curvatures = mesh.add_property_map<Mesh::Vertex_index, double>("v:curvature").first;
-  if(SC::hrbf_curvatures(mesh, SC::parameters::vertex_mean_curvature_map(curvatures)
-                                   .vertex_normal_map(normals)
-                                   .normals_are_exact(true)) != 0)
+  if(SC::rusinkiewicz_curvatures(
+         mesh, SC::parameters::vertex_mean_curvature_map(curvatures).vertex_normal_map(normals)) != 0)
     return std::numeric_limits<double>::quiet_NaN();
   double sum = 0;
   for(const double curvature : curvatures)

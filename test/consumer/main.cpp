@@ -1,4 +1,4 @@
-#include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 
 #include <iostream>
 
