@@ -202,10 +202,10 @@ Findings measure_accuracy(const Settings& settings)
         row_H.emplace_back(100. * error_H.median);
         if(has_K)
           row_K.emplace_back(100. * error_K.median);
-        const auto plot = [&](std::map<std::string, support::Plot_series>& series, double y)
+        const auto plot = [&, &name = method](std::map<std::string, support::Plot_series>& series, double y)
         {
-          support::Plot_series& p = series[method];
-          p.name = method;
+          support::Plot_series& p = series[name];
+          p.name = name;
           p.x.push_back(distance);
           p.y.push_back(y);
         };
