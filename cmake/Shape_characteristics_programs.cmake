@@ -70,7 +70,9 @@ add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources}
 target_include_directories(Shape_characteristics_precompiled PUBLIC ${CMAKE_CURRENT_LIST_DIR}/precompiled)
 target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
 target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
-shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/other_libraries.cpp)
+foreach(list IN ITEMS decompositions other_libraries)
+  shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/${list}.cpp)
+endforeach()
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
 find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh)

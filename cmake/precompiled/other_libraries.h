@@ -1,7 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_PRECOMPILED_OTHER_LIBRARIES_H
 #define SHAPE_CHARACTERISTICS_PRECOMPILED_OTHER_LIBRARIES_H
 
-// headers of other libraries that most tests, examples and benchmarks include
+// Headers of other libraries that most tests, examples and benchmarks include, and what of them is compiled once.
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
@@ -26,5 +26,9 @@
 #include <mutex>
 #include <string>
 #include <unordered_map>
+
+#define SHAPE_CHARACTERISTICS_TEMPLATE extern template
+#include "templates/decompositions.h"
+#undef SHAPE_CHARACTERISTICS_TEMPLATE
 
 #endif // SHAPE_CHARACTERISTICS_PRECOMPILED_OTHER_LIBRARIES_H
