@@ -63,16 +63,25 @@ function(shape_characteristics_include_each result folder preamble)
   set(${result} ${sources} PARENT_SCOPE)
 endfunction()
 
-file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
-shape_characteristics_include_each(sources ${CMAKE_CURRENT_BINARY_DIR}/precompiled
-  "#include <precompiled.h>\n#define SHAPE_CHARACTERISTICS_TEMPLATE template\n" ${lists})
-add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources})
-target_include_directories(Shape_characteristics_precompiled PUBLIC ${CMAKE_CURRENT_LIST_DIR}/precompiled)
-target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
-target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
-foreach(list IN ITEMS decompositions other_libraries)
-  shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/${list}.cpp)
-endforeach()
+if(SHAPE_CHARACTERISTICS_SANITIZERS STREQUAL "thread")
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON) # they take longer than the few programs without them
+endif()
+if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
+  # then programs know nothing of the lists of templates
+  add_library(Shape_characteristics_precompiled INTERFACE)
+  target_link_libraries(Shape_characteristics_precompiled INTERFACE Shape_characteristics_development)
+else()
+  file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
+  shape_characteristics_include_each(sources ${CMAKE_CURRENT_BINARY_DIR}/precompiled
+    "#include <precompiled.h>\n#define SHAPE_CHARACTERISTICS_TEMPLATE template\n" ${lists})
+  add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources})
+  target_include_directories(Shape_characteristics_precompiled PUBLIC ${CMAKE_CURRENT_LIST_DIR}/precompiled)
+  target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
+  target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
+  foreach(list IN ITEMS decompositions other_libraries)
+    shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/${list}.cpp)
+  endforeach()
+endif()
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
 find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh)
