@@ -160,8 +160,8 @@ const char* const help =
     "the rows\n"
     "  --shared           with shared fits, too\n"
     "  --calibrate FILE   makes the constants of the library instead, and writes them as a header\n"
-    "  --keep             only those of the fits that check whether normals are exact; the others are as "
-    "they were\n"
+    "  --keep             with --calibrate: only those of the fits that check whether normals are exact;\n"
+    "                     the others are as they were\n"
     "  --help             this text\n";
 
 int run(int argc, char** argv)
@@ -178,6 +178,8 @@ int run(int argc, char** argv)
   std::istringstream(arguments.text("scale", quick ? "0.05" : "1")) >> scale;
   if(!(scale > 0. && scale <= 100.))
     throw std::invalid_argument("--scale must be a positive number");
+  if(arguments.has("keep") && !arguments.has("calibrate"))
+    throw std::invalid_argument("--keep goes with --calibrate");
   if(arguments.has("calibrate"))
   {
     calibrate(arguments.text("calibrate", ""), scale, arguments.has("keep"));
