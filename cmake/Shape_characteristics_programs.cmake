@@ -64,7 +64,7 @@ function(shape_characteristics_include_each result folder preamble)
 endfunction()
 
 if(SHAPE_CHARACTERISTICS_SANITIZERS STREQUAL "thread")
-  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON) # they take longer than the few programs without them
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON) # for a few programs they take longer than they save
 endif()
 if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
   # then programs know nothing of the lists of templates
