@@ -8,6 +8,8 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
