@@ -4,6 +4,7 @@
 #include <Shape_characteristics/head_features/internal/Depth_image.h>
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 #include <Shape_characteristics/head_features/internal/Range_image_curvature.h>
+#include <Shape_characteristics/head_features/internal/Scalar_image.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/convex_hull_2.h>

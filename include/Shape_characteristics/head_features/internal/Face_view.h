@@ -1,8 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_FACE_VIEW_H
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_FACE_VIEW_H
 
-#include <Shape_characteristics/head_features/internal/Depth_image.h>
 #include <Shape_characteristics/head_features/internal/Range_image_curvature.h>
+#include <Shape_characteristics/head_features/internal/Scalar_image.h>
 #include <Shape_characteristics/head_features/internal/Skin_view.h>
 
 #include <algorithm>

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
 #include <Shape_characteristics/head_features/internal/Mouth_finder.h>
+#include <Shape_characteristics/head_features/internal/Scalar_image.h>
 #include <Shape_characteristics/head_features/internal/Skin_view.h>
 #include <Shape_characteristics/head_features/internal/Surface_patch.h>
 #include <Shape_characteristics/internal/solve_positive_semidefinite.h>

@@ -1,7 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_RANGE_IMAGE_CURVATURE_H
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_RANGE_IMAGE_CURVATURE_H
 
-#include <Shape_characteristics/head_features/internal/Depth_image.h>
+#include <Shape_characteristics/head_features/internal/Scalar_image.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/head_features/internal/Depth_image.h>
 #include <Shape_characteristics/head_features/internal/Head_surface.h>
+#include <Shape_characteristics/head_features/internal/Scalar_image.h>
 
 #include <Eigen/Core>
 
