@@ -8,11 +8,11 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <random>
-#include <vector>
 
 using Eigen::Vector3d;
 using Shape_characteristics::internal::Depth_image;
@@ -132,30 +132,35 @@ BOOST_AUTO_TEST_CASE(part_of_an_image)
 
 BOOST_AUTO_TEST_CASE(nearest_triangle_that_faces_the_eye)
 {
-  const Head_surface surface = surface_of_three();
-  for(const double right : {1., -1.})
-  {
-    const Depth_image image = image_of(surface, right);
-    std::vector<std::size_t> seen(2);
-    for(int j = 0; j < image.depth().height(); ++j)
-      for(int i = 0; i < image.depth().width(); ++i)
-      {
-        const double x = right * image.u(i), y = image.v(j);
-        // no pixel lies on an edge, where rounding would decide
-        const auto is_inside = [&](const double size) { return y > -size && 2 * std::abs(x) < size - y; };
-        const bool is_slope = is_inside(2.), is_middle = is_inside(.3);
-        const std::size_t expected = is_middle ? 1 : is_slope ? 0 : Surface_point::no_triangle;
-        BOOST_TEST(image.triangle(i, j) == expected, "pixel " << i << " " << j);
-        BOOST_TEST(image.depth().has_value(i, j) == is_slope);
-        if(is_slope)
+  for(const bool is_drawn_backwards : {false, true})
+    for(const double right : {1., -1.})
+    {
+      Head_surface surface = surface_of_three();
+      if(is_drawn_backwards)
+        std::reverse(surface.triangles.begin(), surface.triangles.end());
+      const std::size_t slope_triangle = is_drawn_backwards ? 2 : 0, middle_triangle = 1;
+      const Depth_image image = image_of(surface, right);
+      std::size_t of_slope = 0, of_middle = 0;
+      for(int j = 0; j < image.depth().height(); ++j)
+        for(int i = 0; i < image.depth().width(); ++i)
         {
-          BOOST_TEST(std::abs(image.depth()(i, j) - (is_middle ? 3. : slope(x))) < 1e-12);
-          ++seen[expected];
+          const double x = right * image.u(i), y = image.v(j);
+          // no pixel lies on an edge, where rounding would decide
+          const auto is_inside = [&](const double size) { return y > -size && 2 * std::abs(x) < size - y; };
+          const bool is_middle = is_inside(.3), is_slope = !is_middle && is_inside(2.);
+          BOOST_TEST(image.triangle(i, j) == (is_middle  ? middle_triangle
+                                              : is_slope ? slope_triangle
+                                                         : Surface_point::no_triangle),
+                     "pixel " << i << " " << j);
+          BOOST_TEST(image.depth().has_value(i, j) == (is_slope || is_middle));
+          if(is_slope || is_middle)
+            BOOST_TEST(std::abs(image.depth()(i, j) - (is_middle ? 3. : slope(x))) < 1e-12);
+          of_slope += is_slope;
+          of_middle += is_middle;
         }
-      }
-    BOOST_TEST(seen[0] > 300u);
-    BOOST_TEST(seen[1] > 5u);
-  }
+      BOOST_TEST(of_slope > 300u);
+      BOOST_TEST(of_middle > 5u);
+    }
 }
 
 BOOST_AUTO_TEST_CASE(points_that_are_seen)
