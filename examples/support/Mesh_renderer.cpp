@@ -2,6 +2,8 @@
 
 #include "local_spacing.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -15,8 +17,6 @@
 namespace support {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // ----------------------------------------------------------------------------------------- vectors
 
@@ -303,7 +303,7 @@ Frustum framed(Eye_space& space,
 {
   const double longer = std::max(options.width, options.height),
                shorter = std::min(options.width, options.height);
-  const double slope = std::tan(options.camera.field_of_view * pi / 360);
+  const double slope = std::tan(options.camera.field_of_view * CGAL_PI / 360);
   Frustum frustum;
   frustum.slope_x = slope * options.width / longer;
   frustum.slope_y = slope * options.height / longer;
@@ -388,7 +388,7 @@ std::vector<Vector> corner_normals(const std::vector<Vector>& placed,
   for(std::size_t f = 0; f < triangles.size(); ++f)
     for(std::size_t v : triangles[f])
       around[next[v]++] = f;
-  const double limit = std::cos(crease_angle * pi / 180);
+  const double limit = std::cos(crease_angle * CGAL_PI / 180);
   std::vector<Vector> normals;
   for(std::size_t f = 0; f < triangles.size(); ++f)
     for(std::size_t v : triangles[f])

@@ -6,6 +6,7 @@
 #include <Shape_characteristics/screen_space/Camera.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -24,7 +25,7 @@ public:
   Orbit_camera(const CGAL::Bbox_3& box, const Camera& view)
     : center_(.5 * (box.xmin() + box.xmax()), .5 * (box.ymin() + box.ymax()), .5 * (box.zmin() + box.zmax())),
       radius_(.5 * std::hypot(box.xmax() - box.xmin(), box.ymax() - box.ymin(), box.zmax() - box.zmin())),
-      angle_(view.field_of_view * pi / 180)
+      angle_(view.field_of_view * CGAL_PI / 180)
   {
     radius_ = radius_ > 0 && std::isfinite(radius_) ? radius_ : 1;
     backwards_ = Eigen::Vector3d(view.towards_eye[0], view.towards_eye[1], view.towards_eye[2]).normalized();
@@ -60,7 +61,6 @@ public:
   }
 
 private:
-  static constexpr double pi = 3.14159265358979323846;
   Eigen::Vector3d center_, backwards_, up_;
   double radius_, angle_, factor_ = 1;
 };

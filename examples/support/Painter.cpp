@@ -1,5 +1,7 @@
 #include "Painter.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -11,8 +13,6 @@
 namespace support {
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 // ---------------------------------------------------------------------------------------- typeface
 
@@ -196,7 +196,7 @@ Glyph read_glyph(const Glyph_source& source)
       const int steps = std::max(2, int(std::abs(to - from) / 9));
       for(int i = 0; i <= steps; ++i)
       {
-        const double angle = (from + (to - from) * i / steps) * pi / 180;
+        const double angle = (from + (to - from) * i / steps) * CGAL_PI / 180;
         line_to({cx + rx * std::cos(angle), cy + ry * std::sin(angle)});
       }
       continue;
@@ -392,7 +392,7 @@ void Painter::text(const std::string& utf8, Pixel_point at, const Text_style& st
                     : style.horizontal == Horizontal_alignment::CENTER ? -width * unit / 2
                                                                        : -width * unit - radius;
   const double y0 = style.vertical == Vertical_alignment::MIDDLE ? -3.5 * unit : 0;
-  const double c = std::cos(style.angle * pi / 180), s = std::sin(style.angle * pi / 180);
+  const double c = std::cos(style.angle * CGAL_PI / 180), s = std::sin(style.angle * CGAL_PI / 180);
   for(const Placed_glyph& placed : line)
   {
     const auto placed_point = [&](Pixel_point p)
@@ -501,7 +501,7 @@ void Painter::marker(Marker kind, Pixel_point at, double diameter, Rgba color)
     std::vector<Pixel_point> points;
     for(int i = 0; i < corners; ++i)
     {
-      const double angle = (start + 360. * i / corners) * pi / 180;
+      const double angle = (start + 360. * i / corners) * CGAL_PI / 180;
       points.push_back({at.x + radius * std::cos(angle), at.y - radius * std::sin(angle)});
     }
     convex_polygon(points, color);
@@ -535,7 +535,8 @@ void Painter::marker(Marker kind, Pixel_point at, double diameter, Rgba color)
   {
     std::vector<Pixel_point> circle;
     for(int i = 0; i <= 32; ++i)
-      circle.push_back({at.x + .8 * r * std::cos(i * pi / 16), at.y + .8 * r * std::sin(i * pi / 16)});
+      circle.push_back(
+          {at.x + .8 * r * std::cos(i * CGAL_PI / 16), at.y + .8 * r * std::sin(i * CGAL_PI / 16)});
     polyline(circle, 0.5 * r, color);
     break;
   }

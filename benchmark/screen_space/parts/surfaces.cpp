@@ -3,6 +3,8 @@
 #include "tessellations.h"
 #include "test_functions.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +16,6 @@ namespace screen_space {
 namespace {
 
 using namespace benchmark_support;
-
-constexpr double pi = 3.14159265358979323846;
 
 // An icosahedron whose triangles are cut into four again and again; the corners lie on the sphere.
 Triangle_arrays icosphere(double radius, std::size_t vertices)
@@ -85,7 +85,8 @@ Triangle_arrays torus_mesh(std::size_t vertices)
   for(std::size_t i = 0; i < along; ++i)
     for(std::size_t j = 0; j < across; ++j)
     {
-      const double a = 2. * pi * double(i) / double(along), b = 2. * pi * double(j) / double(across);
+      const double a = 2. * CGAL_PI * double(i) / double(along),
+                   b = 2. * CGAL_PI * double(j) / double(across);
       const double r = torus_major + torus_minor * std::cos(b);
       mesh.points.push_back({r * std::cos(a), r * std::sin(a), torus_minor * std::sin(b)});
       const std::size_t i1 = (i + 1) % along, j1 = (j + 1) % across;

@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_CHARACTERISTICS_SHAPE_INDEX_H
 #define SHAPE_CHARACTERISTICS_CHARACTERISTICS_SHAPE_INDEX_H
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -43,8 +44,7 @@ auto shape_index(const PrincipalCurvatures& curvatures) -> std::decay_t<decltype
     k_min *= 0.5;
     k_max *= 0.5;
   }
-  constexpr double pi = 3.14159265358979323846;
-  const double index = std::atan2(k_max + k_min, std::abs(k_max - k_min)) * (2 / pi);
+  const double index = std::atan2(k_max + k_min, std::abs(k_max - k_min)) * (2 / CGAL_PI);
   return FT(std::clamp(index, -1., 1.));
 }
 

@@ -11,6 +11,8 @@
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -145,7 +147,7 @@ private:
       }
     }
     if(fan.solid_angle < 0.)
-      fan.solid_angle += 4. * pi_of_ball;
+      fan.solid_angle += 4. * CGAL_PI;
     section.add_solid_angle(fan.solid_angle);
     return true;
   }

@@ -7,6 +7,8 @@
 #include <Shape_characteristics/descriptors/internal/curvature_moment.h>
 #include <Shape_characteristics/descriptors/internal/neighborhood_extent.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -219,9 +221,8 @@ private:
   // The bins on both sides of the x axis are mirror images of each other, and so are their numbers but for the last digit.
   static std::size_t bin_of(double x, double y, double distance)
   {
-    constexpr double pi = 3.14159265358979323846;
     const std::size_t sector =
-        (std::min)(std::size_t(std::atan2(std::abs(y), x) / pi * s_half_sectors), s_half_sectors - 1);
+        (std::min)(std::size_t(std::atan2(std::abs(y), x) / CGAL_PI * s_half_sectors), s_half_sectors - 1);
     const std::size_t shell = distance > .5 ? 1 : 0;
     return 2 * (shell * s_half_sectors + sector) + (y < 0. ? 1 : 0);
   }

@@ -8,6 +8,8 @@
 #include <Shape_characteristics/descriptors/internal/neighborhood_extent.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -161,9 +163,8 @@ private:
       else if(const double area = m_areas[j]; area > 0. && std::isfinite(area))
         sum += (is_unit_free ? area / radius / radius : area) * term;
     }
-    constexpr double pi = 3.14159265358979323846;
     if(m_areas.empty())
-      return is_unit_free ? pi / double(neighbors.size()) * sum : .5 * radius * sum;
+      return is_unit_free ? CGAL_PI / double(neighbors.size()) * sum : .5 * radius * sum;
     return is_unit_free ? sum : radius * sum;
   }
 

@@ -9,9 +9,9 @@
 #include <Shape_characteristics/head_features/estimate_head_pose.h>
 #include <Shape_characteristics/head_features/internal/Head_of_mesh.h>
 #include <Shape_characteristics/head_features/internal/Thesis_head_features.h>
-#include <Shape_characteristics/head_features/internal/affine_conversions.h>
 #include <Shape_characteristics/head_features/internal/detect_by_surface.h>
 #include <Shape_characteristics/head_features/internal/detect_by_thesis.h>
+#include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/to_eigen.h>
 

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_REGISTRATION_REGISTER_PARTIAL_SCANS_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/normals/Normal_weighting.h>
@@ -11,12 +12,9 @@
 #include <Shape_characteristics/registration/internal/Scan_registrar.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
-#include <CGAL/Aff_transformation_3.h>
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/tags.h>
-
-#include <Eigen/Geometry>
 
 #include <cstddef>
 #include <cstdint>
@@ -52,15 +50,6 @@ Oriented_points oriented_points_of(const Scan& scan, const NamedParameters& np)
   }
   else
     return Oriented_points::of(sampled_surface(scan, Neighborhood::nearest(1), np));
-}
-
-template <typename Kernel>
-CGAL::Aff_transformation_3<Kernel> to_cgal(const Eigen::Affine3d& motion)
-{
-  using FT = typename Kernel::FT;
-  const auto m = [&](const int row, const int column) { return FT(motion.matrix()(row, column)); };
-  return {m(0, 0), m(0, 1), m(0, 2), m(0, 3), m(1, 0), m(1, 1),
-          m(1, 2), m(1, 3), m(2, 0), m(2, 1), m(2, 2), m(2, 3)};
 }
 
 } // namespace internal
@@ -192,7 +181,7 @@ auto register_partial_scans(const Source& source,
   result.confidence = outcome.confidence;
   result.scale_ratio = outcome.scale_ratio;
   for(const internal::Registration_hypothesis& h : outcome.hypotheses)
-    result.alternatives.push_back({internal::to_cgal<Kernel>(h.motion), h.quality, h.is_reflection});
+    result.alternatives.push_back({internal::affine_to_cgal<Kernel>(h.motion), h.quality, h.is_reflection});
   if(!result.alternatives.empty() && !result.alternatives.front().is_reflection)
   {
     result.transformation = result.alternatives.front().transformation;

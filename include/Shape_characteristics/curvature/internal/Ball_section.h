@@ -3,6 +3,8 @@
 
 #include <Shape_characteristics/internal/tangent_basis.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -13,8 +15,6 @@
 
 namespace Shape_characteristics {
 namespace internal {
-
-constexpr double pi_of_ball = 3.14159265358979323846;
 
 // the integrals over a solid of 1, of x, and of x x^T
 struct Volume_moments
@@ -247,7 +247,7 @@ private:
 inline Volume_moments box_in_ball(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
 {
   using Vector = Eigen::Vector3d;
-  double solid_angle = 4. * pi_of_ball;
+  double solid_angle = 4. * CGAL_PI;
   for(int k = 0; k < 3; ++k)
     solid_angle *= low[k] < 0. && high[k] > 0. ? 1. : low[k] > 0. || high[k] < 0. ? 0. : .5;
   Ball_section section(solid_angle);
@@ -285,14 +285,14 @@ inline Volume_moments box_in_ball(const Eigen::Vector3d& low, const Eigen::Vecto
 inline std::array<double, 3>
 shape_operator_of_moments(const Volume_moments& m, const Eigen::Vector3d& t1, const Eigen::Vector3d& t2)
 {
-  const double volume = m.volume - 2. * pi_of_ball / 3., half_ball = 2. * pi_of_ball / 15.;
+  const double volume = m.volume - 2. * CGAL_PI / 3., half_ball = 2. * CGAL_PI / 15.;
   const Eigen::Vector3d image_1 = m.second * t1, image_2 = m.second * t2;
   const double xx = t1.dot(image_1) - half_ball, yy = t2.dot(image_2) - half_ball;
   const double xy = .5 * (t1.dot(image_2) + t2.dot(image_1));
-  const double trace = 48. / pi_of_ball * (volume / 2. - xx - yy);
-  const double h = volume / pi_of_ball + trace / 8.;
+  const double trace = 48. / CGAL_PI * (volume / 2. - xx - yy);
+  const double h = volume / CGAL_PI + trace / 8.;
   const double half_trace = .5 * (trace - h * h * h * (8. - 4.8 * h * h));
-  const double factor = -24. / pi_of_ball;
+  const double factor = -24. / CGAL_PI;
   return {half_trace + factor * (xx - yy) / 2., factor * xy, half_trace - factor * (xx - yy) / 2.};
 }
 

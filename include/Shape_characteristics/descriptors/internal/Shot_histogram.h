@@ -3,6 +3,8 @@
 
 #include <Shape_characteristics/descriptors/Shot_variant.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -28,10 +30,9 @@ public:
     const double distance = d.norm();
     if(!(distance > 0.))
       return;
-    constexpr double pi = 3.14159265358979323846;
     // In each direction, bins are at 0, 1, 2 ...
-    const double azimuth = (std::atan2(d.y(), d.x()) / pi + 1.) * (sectors / 2.) - .5; // from -.5 to 7.5
-    const double inclination = std::acos((std::min)((std::max)(d.z() / distance, -1.), 1.)) / pi;
+    const double azimuth = (std::atan2(d.y(), d.x()) / CGAL_PI + 1.) * (sectors / 2.) - .5; // from -.5 to 7.5
+    const double inclination = std::acos((std::min)((std::max)(d.z() / distance, -1.), 1.)) / CGAL_PI;
     const std::array<Share, 4> shares = {
         Share(azimuth, sectors, true), Share(2. * distance - .5, shells, false),
         Share(1.5 - 2. * inclination, halves, false), // the upper half is 1

@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_DESCRIPTORS_INTERNAL_PAIR_FEATURES_H
 #define SHAPE_CHARACTERISTICS_DESCRIPTORS_INTERNAL_PAIR_FEATURES_H
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -205,12 +207,11 @@ private:
   };
   static Edges make_edges()
   {
-    constexpr double pi = 3.14159265358979323846;
     Edges edges;
     for(std::size_t e = 0; e < std::size_t(middle); ++e)
     {
       const double edge = (2. * double(e) + 1.) / double(Bins);
-      const double sine = std::sin(pi * edge), cosine = std::cos(pi * edge);
+      const double sine = std::sin(CGAL_PI * edge), cosine = std::cos(CGAL_PI * edge);
       edges.value[e] = float(edge * edge);
       edges.sine[e] = float(sine * sine);
       edges.cosine[e] = float(cosine * std::abs(cosine));

@@ -6,8 +6,8 @@
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
 #include <Shape_characteristics/head_features/internal/Head_feature_finder.h>
 #include <Shape_characteristics/head_features/internal/Head_of_mesh.h>
-#include <Shape_characteristics/head_features/internal/affine_conversions.h>
 #include <Shape_characteristics/head_features/internal/pitch_of_features.h>
+#include <Shape_characteristics/internal/affine_conversions.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

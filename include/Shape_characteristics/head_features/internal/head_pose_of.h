@@ -7,10 +7,10 @@
 #include <Shape_characteristics/head_features/internal/pose_mirror.h>
 #include <Shape_characteristics/head_features/internal/pose_search.h>
 #include <Shape_characteristics/head_features/internal/pose_surface.h>
-
-#include <CGAL/Aff_transformation_3.h>
+#include <Shape_characteristics/internal/affine_conversions.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -122,14 +122,13 @@ Head_pose<Kernel> head_pose_of(const Pose_points& points,
   // x = center + size * (scale * rotation * m + translation) for m in the frame of the head
   const Head_placement& place = fit.placement;
   const double size = place.scale * surface.size();
-  const Eigen::Matrix3d linear = place.rotation.transpose() / size;
   const Eigen::Vector3d middle = surface.center() + surface.size() * place.translation,
-                        shift = -(linear * middle), axis = place.rotation.col(0);
+                        axis = place.rotation.col(0);
+  Eigen::Affine3d to_frame = Eigen::Affine3d::Identity();
+  to_frame.linear() = place.rotation.transpose() / size;
+  to_frame.translation() = -(to_frame.linear() * middle);
   pose.size = size;
-  const auto a = [&](const int row, const int column) { return FT(linear(row, column)); };
-  pose.transformation =
-      CGAL::Aff_transformation_3<Kernel>(a(0, 0), a(0, 1), a(0, 2), FT(shift[0]), a(1, 0), a(1, 1), a(1, 2),
-                                         FT(shift[1]), a(2, 0), a(2, 1), a(2, 2), FT(shift[2]));
+  pose.transformation = affine_to_cgal<Kernel>(to_frame);
   pose.symmetry_plane =
       typename Kernel::Plane_3(FT(axis[0]), FT(axis[1]), FT(axis[2]), FT(-axis.dot(middle)));
   // near where the mean head has the tip of its nose, the point that is farthest to the front, and a little upward: lips and

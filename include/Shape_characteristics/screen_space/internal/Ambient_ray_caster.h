@@ -8,6 +8,7 @@
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -90,9 +91,9 @@ public:
     for(std::size_t i = 0; i < number_of_rays; ++i)
     {
       // points spread evenly over the disc below a hemisphere: directions whose density is the cosine
-      constexpr double golden_ratio = 0.61803398874989484820, pi = 3.14159265358979323846;
+      constexpr double golden_ratio = 0.61803398874989484820;
       const double q = (double(i) + .5) / double(number_of_rays);
-      const double angle = 2 * pi * (std::fmod(double(i) * golden_ratio, 1.) + turn);
+      const double angle = 2 * CGAL_PI * (std::fmod(double(i) * golden_ratio, 1.) + turn);
       const Eigen::Vector3d direction =
           std::sqrt(q) * (std::cos(angle) * s + std::sin(angle) * t) + std::sqrt(1 - q) * normal;
       // interpolated normals lean over the faces they belong to; the smooth surface that they stand for isn't in its own way
