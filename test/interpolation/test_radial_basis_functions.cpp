@@ -168,7 +168,7 @@ const std::vector<double> shape_parameters = {0.08, 0.7, 1, 3.1};
 const std::vector<double> distances = {1e-30, 1e-12, 1e-6, 1e-3, 0.03, 0.11, 0.2, 0.31, 0.4, 0.55,
                                        0.77,  0.9,   0.99, 1.01, 1.3,  1.9,  2.5, 4.,   7.,  12.};
 
-// of those that a function has, those that it makes different
+// one is enough for a function without a shape parameter
 std::vector<double> shape_parameters_of(const Basis& basis)
 {
   return basis.has_shape_parameter ? shape_parameters : std::vector<double>{shape_parameters[0]};
