@@ -24,6 +24,7 @@
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
@@ -131,7 +132,7 @@ SC::Descriptor_matrix our_spin_images(const Oriented_cloud& cloud, double radius
 {
   const SC::Point_set_samples samples = samples_of(cloud, radius);
   // neighbors with all normals count, as PCL's do
-  const SC::Spin_image_descriptor<SC::Point_set_samples> descriptor(samples, 8, EIGEN_PI);
+  const SC::Spin_image_descriptor<SC::Point_set_samples> descriptor(samples, 8, CGAL_PI);
   return SC::compute_descriptors<CGAL::Sequential_tag>(descriptor, samples.size());
 }
 

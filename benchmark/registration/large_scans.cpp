@@ -9,6 +9,7 @@
 #include "parts/splits.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/registration/Registration_verdict.h>
 #include <Shape_characteristics/registration/register_partial_scans.h>
 
@@ -86,10 +87,7 @@ int run(const Command_line& arguments)
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const double memory = peak_memory_in_bytes();
 
-    Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-    for(int row = 0; row < 3; ++row)
-      for(int column = 0; column < 4; ++column)
-        motion.matrix()(row, column) = found.transformation.m(row, column);
+    const Eigen::Isometry3d motion(SC::internal::affine_to_eigen(found.transformation).matrix());
     const double error = registration_error(parts, motion);
     const bool is_registered = found.verdict == SC::Registration_verdict::SUCCESS;
     is_right = is_right && is_registered && error < .1;

@@ -3,6 +3,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -17,13 +18,12 @@ int main()
 {
   // a tube of radius 1 around a circle of radius 3
   const int n = 60, m = 20;
-  const double pi = std::acos(-1.);
   Mesh mesh;
   std::vector<double> exact;
   for(int i = 0; i < n; ++i)
     for(int j = 0; j < m; ++j)
     {
-      const double u = 2 * pi * i / n, v = 2 * pi * j / m, r = 3 + std::cos(v);
+      const double u = 2 * CGAL_PI * i / n, v = 2 * CGAL_PI * j / m, r = 3 + std::cos(v);
       mesh.add_vertex(Kernel::Point_3(r * std::cos(u), r * std::sin(u), std::sin(v)));
       exact.push_back((1 + std::cos(v) / r) / 2); // mean of 1 across and cos(v) / r along the circle
     }

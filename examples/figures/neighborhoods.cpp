@@ -9,6 +9,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -61,7 +62,7 @@ support::Image draw(const Mesh& mesh, Index center, const SC::Neighborhood& neig
     std::vector<support::Pixel_point> circle;
     for(int k = 0; k <= 90; ++k)
     {
-      const double angle = k * 4 * 3.14159265358979 / 180, r = scale * neighborhood.radius();
+      const double angle = k * 4 * CGAL_PI / 180, r = scale * neighborhood.radius();
       circle.push_back({size / 2. + r * std::cos(angle), size / 2. + r * std::sin(angle)});
     }
     painter.polyline(circle, 2, {60, 90, 200, 255}, 9);

@@ -18,6 +18,7 @@
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_config.h>
 
 #include <array>
 #include <cmath>
@@ -252,7 +253,7 @@ support::Drawable drawable(const Mesh& mesh, const Head& head)
   constexpr int steps = 8;
   const auto on_ball = [](int i, int j)
   {
-    const double t = 3.14159265358979323846 * i / steps, s = 3.14159265358979323846 * j / steps;
+    const double t = CGAL_PI * i / steps, s = CGAL_PI * j / steps;
     return Kernel::Vector_3(std::sin(t) * std::cos(s), std::cos(t), -std::sin(t) * std::sin(s));
   };
   const double size = std::cbrt(

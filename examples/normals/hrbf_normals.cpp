@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ int main()
       truth = truth / std::sqrt(truth.squared_length());
       sum += std::asin(std::min(1., std::sqrt(CGAL::cross_product(normals[v], truth).squared_length())));
     }
-    return sum / double(mesh.number_of_vertices()) * 180 / 3.14159265358979;
+    return sum / double(mesh.number_of_vertices()) * 180 / CGAL_PI;
   };
 
   // weighted sums of the normals of the faces, then better ones, which start from them

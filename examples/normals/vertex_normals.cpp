@@ -6,6 +6,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ int main()
     for(auto v : mesh.vertices())
       error = std::max(
           error, std::sqrt(CGAL::cross_product(normals[v], mesh.point(v) - CGAL::ORIGIN).squared_length()));
-    std::cout << name << ": at most " << error * 180 / 3.14159265358979 << " degrees off, " << failed
+    std::cout << name << ": at most " << error * 180 / CGAL_PI << " degrees off, " << failed
               << " vertices without a normal\n";
     best = std::min(best, error);
     of_default = error; // Max is the default

@@ -188,9 +188,9 @@ BOOST_AUTO_TEST_CASE(points_that_are_seen)
       BOOST_TEST(!image.point(nowhere, 0).is_valid());
 
     // where the middle's pixels don't count, what is behind it
-    const Surface_point beside =
+    const Surface_point behind =
         image.point(right * .01, .02, [&](const int i, const int j) { return image.triangle(i, j) == 0; });
-    BOOST_TEST(beside.triangle == 0u);
+    BOOST_TEST(behind.triangle == 0u);
   }
 }
 

@@ -37,10 +37,9 @@ namespace {
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<300>,
                                            boost::multiprecision::et_off>;
 
-template <typename T>
-T plus(const T& x)
+Real plus(const Real& x)
 {
-  return x > 0 ? x : T(0);
+  return x > 0 ? x : Real(0);
 }
 
 // A radial basis function without its type: what the tests do with each is compiled once.

@@ -6,6 +6,8 @@
 #include "tessellations.h"
 #include "test_functions.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -126,12 +128,12 @@ public:
     constexpr int number = 5;
     for(int k = 0; k < number; ++k)
     {
-      const double length = shortest * std::pow(4., random.uniform(0., 1.)), pi = 3.14159265358979324;
+      const double length = shortest * std::pow(4., random.uniform(0., 1.));
       Vector direction;
       for(std::size_t i = 0; i < 3; ++i)
         direction[i] = random.gaussian();
-      m_waves.push_back({(2. * pi / length) * normalized(direction), random.uniform(0., 2. * pi),
-                         steepness * length / (2. * pi * std::sqrt(double(number)))});
+      m_waves.push_back({(2. * CGAL_PI / length) * normalized(direction), random.uniform(0., 2. * CGAL_PI),
+                         steepness * length / (2. * CGAL_PI * std::sqrt(double(number)))});
     }
   }
 

@@ -3,6 +3,8 @@
 #include "Random.h"
 #include "heads.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -74,7 +76,7 @@ Split split(const Scan& first, const Scan& second, const Split_protocol& protoco
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   for(int axis = 0; axis < 3; ++axis)
   {
-    const double angle = random.uniform(-protocol.angle, protocol.angle) * std::acos(-1.) / 180.;
+    const double angle = random.uniform(-protocol.angle, protocol.angle) * CGAL_PI / 180.;
     rotation = Eigen::AngleAxisd(angle, Eigen::Vector3d::Unit(axis)).toRotationMatrix() * rotation;
   }
   const Eigen::Vector3d normal = rotation * Eigen::Vector3d::UnitX();

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
+#include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/assess_registration.h>
@@ -279,10 +280,7 @@ Trial_result run_pipeline(const Split& split, std::size_t neighbors)
                                                              SC::parameters::number_of_neighbors(neighbors));
     result.solve = now() - start;
   }
-  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  for(int row = 0; row < 3; ++row)
-    for(int column = 0; column < 4; ++column)
-      motion.matrix()(row, column) = found.transformation.m(row, column);
+  const Eigen::Isometry3d motion(SC::internal::affine_to_eigen(found.transformation).matrix());
   result.error = registration_error(split, motion);
   add_quality(result, found.quality);
   result.verdict = found.verdict == SC::Registration_verdict::SUCCESS     ? "success"

@@ -15,6 +15,8 @@
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -96,7 +98,7 @@ private:
     }
     const double mean = .5 * gradient_of_area.dot(frame.normal) / area;
     // An angle defect that is all rounding errors is none: the difference of the principal curvatures is a square root.
-    constexpr double full = 2. * 3.141592653589793, rounding = 8. * std::numeric_limits<double>::epsilon();
+    constexpr double full = 2. * CGAL_PI, rounding = 8. * std::numeric_limits<double>::epsilon();
     const double defect = std::abs(full - angles) > rounding * full ? full - angles : 0.;
     const double Gaussian = defect / area;
 

@@ -4,6 +4,8 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/descriptors/internal/neighborhood_extent.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -71,14 +73,14 @@ public:
   */
   explicit Spin_image_descriptor(const SampledSurface& surface,
                                  unsigned int image_width = 8,
-                                 double support_angle = EIGEN_PI / 2.)
+                                 double support_angle = CGAL_PI / 2.)
     : m_surface(surface),
       m_width(image_width),
       m_smallest_cosine(std::cos(support_angle) - s_rounding)
   {
     if(image_width < 1 || image_width > 1000)
       throw std::invalid_argument("Shape_characteristics: image_width must be from 1 to 1000");
-    if(!(support_angle > 0. && support_angle <= EIGEN_PI))
+    if(!(support_angle > 0. && support_angle <= CGAL_PI))
       throw std::invalid_argument("Shape_characteristics: support_angle must be more than 0 and at most pi");
   }
 

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
 #include <type_traits>
@@ -22,7 +23,7 @@ Descriptor_matrix spin_image_descriptors_of(const SampledSurface& surface, const
   using parameters::choose_parameter;
   using parameters::get_parameter;
   const unsigned int image_width = choose_parameter(get_parameter(np, internal_np::image_width), 8u);
-  const double support_angle = choose_parameter(get_parameter(np, internal_np::support_angle), EIGEN_PI / 2.);
+  const double support_angle = choose_parameter(get_parameter(np, internal_np::support_angle), CGAL_PI / 2.);
   return compute_descriptors_of<ConcurrencyTag>(
       Spin_image_descriptor<SampledSurface>(surface, image_width, support_angle), surface.size(), np);
 }

@@ -3,6 +3,8 @@
 
 #include <Shape_characteristics/screen_space/Depth_convention.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -75,7 +77,7 @@ public:
   static Eigen::Matrix4d
   perspective(double vertical_field_of_view, double aspect_ratio, double near_plane, double far_plane)
   {
-    if(!(vertical_field_of_view > 0. && vertical_field_of_view < 3.14159265358979323846) ||
+    if(!(vertical_field_of_view > 0. && vertical_field_of_view < CGAL_PI) ||
        !(aspect_ratio > 0. && std::isfinite(aspect_ratio)) ||
        !(near_plane > 0. && far_plane > near_plane && std::isfinite(far_plane)))
       throw std::invalid_argument(

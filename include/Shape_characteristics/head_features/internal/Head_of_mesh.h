@@ -23,7 +23,7 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// The triangles of a mesh, in a frame of their own, and which of its vertices theirs are.
+// A mesh as the detection sees it: in the frame of the head, without triangles that have corners nowhere.
 template <typename FaceGraph>
 struct Head_of_mesh
 {

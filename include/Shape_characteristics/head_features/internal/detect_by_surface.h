@@ -20,14 +20,15 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Where the head is said to be, in the frame of a `Head_of_mesh`.
+// About where the tip of the nose is, and how high the head: in the frame of a `Head_of_mesh`.
 struct Expected_head
 {
   Eigen::Vector3d nose_tip = Eigen::Vector3d::Zero();
   double height = 0.;
 };
 
-// Of a head that is aligned, in its box of size 1: its nose is what stands out most between the ears.
+// Of a head that is aligned, in its box of size 1: the tip of its nose is what reaches farthest to the front, and a little upward,
+// near the middle.
 template <typename FaceGraph>
 Expected_head expected_in_box(const Head_of_mesh<FaceGraph>& head)
 {

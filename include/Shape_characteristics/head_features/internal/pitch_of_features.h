@@ -5,6 +5,8 @@
 #include <Shape_characteristics/head_features/internal/Found_head_features.h>
 #include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -72,9 +74,9 @@ inline std::vector<Mean_feature> mean_features()
 */
 inline double pitch_of_features(const Found_head_features& found)
 {
-  constexpr double width = .3, deviation = .01;           // of the random field, in the unit of the frame
-  constexpr double error_of_frame = 2. * EIGEN_PI / 180.; // standard deviation
-  constexpr double gap_of_closed_mouth = .08;             // the largest distance of M3 and M4
+  constexpr double width = .3, deviation = .01;          // of the random field, in the unit of the frame
+  constexpr double error_of_frame = 2. * CGAL_PI / 180.; // standard deviation
+  constexpr double gap_of_closed_mouth = .08;            // the largest distance of M3 and M4
   constexpr std::size_t few = 8;
 
   std::vector<Mean_feature> means;
