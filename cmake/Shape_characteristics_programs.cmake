@@ -6,6 +6,7 @@
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
+# shape_characteristics_public_headers()   the headers that a user includes
 # shape_characteristics_include_each()     source files that include a header each
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
@@ -50,6 +51,16 @@ function(shape_characteristics_do_not_sanitize source)
   if(SHAPE_CHARACTERISTICS_SANITIZERS)
     set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS -fno-sanitize=all SKIP_PRECOMPILE_HEADERS ON)
   endif()
+endfunction()
+
+# Sets `result` to the headers that a user includes, as he writes them. Without libepoxy those that need it are left out.
+function(shape_characteristics_public_headers result)
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/*.h)
+  list(FILTER found EXCLUDE REGEX "/internal/")
+  if(NOT TARGET Shape_characteristics::OpenGL_support)
+    list(FILTER found EXCLUDE REGEX "/OpenGL/")
+  endif()
+  set(${result} ${found} PARENT_SCOPE)
 endfunction()
 
 # Sets `result` to source files below `folder`, one for each of the headers that follow: it includes that header after `preamble`.

@@ -37,7 +37,7 @@ configure()
   # configured for another, that stays.)
   command -v ninja > /dev/null && export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
   local warnings_as_errors=OFF # sanitizers make the compiler warn of what is not so
-  [[ $1 == release || $1 == test ]] && warnings_as_errors=ON
+  [[ $1 != *san ]] && warnings_as_errors=ON
   cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
 }
 build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--target "${@:2}"}; } # one more, for who waits

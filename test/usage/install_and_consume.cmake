@@ -1,5 +1,5 @@
-# Installs the library, then configures, builds and runs test/consumer against what was installed.
-#   cmake -D BUILD_DIR=<build folder of the library> -D CONSUMER=<test/consumer> -D SCRATCH=<folder>
+# Installs the library, then configures, builds and runs test/usage/consumer against what was installed.
+#   cmake -D BUILD_DIR=<build folder of the library> -D CONSUMER=<test/usage/consumer> -D SCRATCH=<folder>
 #         -D PARALLEL=<ON|OFF> -D COMPILER=<C++ compiler> -D FLAGS=<its flags in Release> -P install_and_consume.cmake
 cmake_minimum_required(VERSION 3.22)
 
