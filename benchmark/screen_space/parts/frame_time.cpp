@@ -164,7 +164,7 @@ Findings measure_frame_time(const Settings& settings)
 
   SC::Screen_space_curvature_pass fragment, compute(SC::Shader_stage::COMPUTE);
   SC::Sphere_fit_mean_curvature_pass fit, fit_compute(SC::Shader_stage::COMPUTE);
-  SC::Ambient_occlusion_pass occlude;
+  SC::Ambient_occlusion_pass occlude, occlude_compute(SC::Shader_stage::COMPUTE);
   const SC::Two_part_ambient_occlusion mapping(1.);
   const double eight_pixels = 8.5 * 20. * 2. * std::tan(.5 * .45) / height;
   const auto by_length = SC::Level_of_detail::by_length(eight_pixels);
@@ -185,6 +185,8 @@ Findings measure_frame_time(const Settings& settings)
        false},
       {"ours and ambient occlusion", "fragment", 56, 40,
        [&] { return occlude(fragment(g), width, height, mapping); }, false},
+      {"ours and ambient occlusion", "compute", 56, 40,
+       [&] { return occlude_compute(compute(g), width, height, mapping); }, false},
       {"Mellado, radius 8", "fragment", 36, 20, [&] { return fit(g, SC::parameters::pixel_radius(8)); },
        true},
       {"Mellado, radius 8", "compute", 36, 20,

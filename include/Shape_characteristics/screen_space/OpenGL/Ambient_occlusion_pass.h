@@ -132,8 +132,7 @@ private:
     if(m_stage == Shader_stage::COMPUTE)
     {
       glBindImageTexture(0, m_target, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-      glDispatchCompute(GLuint(width + 7) / 8, GLuint(height + 7) / 8, 1);
-      glMemoryBarrier(GL_ALL_BARRIER_BITS);
+      v.program.run_over(width, height);
       glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
       return;
     }

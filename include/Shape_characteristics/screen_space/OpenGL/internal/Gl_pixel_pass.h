@@ -134,8 +134,7 @@ public:
     if(m_stage == Shader_stage::COMPUTE)
     {
       glBindImageTexture(0, target, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
-      glDispatchCompute(GLuint(g.width + 7) / 8, GLuint(g.height + 7) / 8, 1);
-      glMemoryBarrier(GL_ALL_BARRIER_BITS);
+      p.program.run_over(g.width, g.height);
       glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA32F);
       return;
     }

@@ -3,6 +3,7 @@
 
 #include <epoxy/gl.h>
 
+#include <array>
 #include <initializer_list>
 #include <stdexcept>
 #include <string>
@@ -16,10 +17,14 @@ class Gl_program
 {
 public:
   Gl_program() = default;
-  Gl_program(Gl_program&& other) noexcept : m_name(std::exchange(other.m_name, 0)) {}
+  Gl_program(Gl_program&& other) noexcept
+    : m_name(std::exchange(other.m_name, 0)),
+      m_work_group(other.m_work_group)
+  {}
   Gl_program& operator=(Gl_program&& other) noexcept
   {
     std::swap(m_name, other.m_name);
+    std::swap(m_work_group, other.m_work_group);
     return *this;
   }
   ~Gl_program()
@@ -59,10 +64,20 @@ public:
       glDeleteProgram(m_name);
       throw std::runtime_error(std::string("Shape_characteristics: ") + who + ": " + failure);
     }
+    if(shaders.begin()->first == GL_COMPUTE_SHADER)
+      glGetProgramiv(m_name, GL_COMPUTE_WORK_GROUP_SIZE, m_work_group.data());
   }
 
   GLuint name() const { return m_name; }
   GLint uniform(const char* uniform) const { return glGetUniformLocation(m_name, uniform); }
+
+  // runs a compute shader, in use, at each pixel of a picture; what comes next may read what it has written
+  void run_over(int width, int height) const
+  {
+    const auto groups = [](int pixels, GLint size) { return GLuint((pixels + size - 1) / size); };
+    glDispatchCompute(groups(width, m_work_group[0]), groups(height, m_work_group[1]), 1);
+    glMemoryBarrier(GL_ALL_BARRIER_BITS);
+  }
 
 private:
   template <typename Function>
@@ -74,6 +89,7 @@ private:
   }
 
   GLuint m_name = 0;
+  std::array<GLint, 3> m_work_group = {1, 1, 1};
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 // Defines (before the file):
 //   SC_MAPPING        0 the thesis's two parts, 1 Hattori's quadric, 2 Griffin's polynomial (0); the C++ classes
 //                     Two_part_ambient_occlusion, Hattori_ambient_occlusion and Griffin_ambient_occlusion say what they are
-//   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (8, 8)
+//   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (16, 8)
 //
 // Inputs:
 //   sc_curvatures     texture of the picture's size, the output of screen_space_curvature.glsl: x and y are the principal curvatures
@@ -59,7 +59,7 @@ float sc_ambient_occlusion(vec4 curvature)
 uniform sampler2D sc_curvatures;
 #ifdef SC_COMPUTE
 #ifndef SC_LOCAL_SIZE_X
-#define SC_LOCAL_SIZE_X 8
+#define SC_LOCAL_SIZE_X 16
 #endif
 #ifndef SC_LOCAL_SIZE_Y
 #define SC_LOCAL_SIZE_Y 8

@@ -9,7 +9,7 @@
 //   SC_EDGES          from how many edges a triangle's shape operator is fitted, 2 or 3 (2)
 //   SC_RULE           depth discontinuities: 0 none, 1 the far plane (7.13), 2 tangent planes (2)
 //   SC_LEVEL_OF_DETAIL  1 to look up steps in sc_step_table, 0 for one pixel everywhere (0)
-//   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (8, 8)
+//   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (16, 8)
 //
 // Inputs:
 //   sc_depths, sc_normals   textures of the picture's size: depth (red channel); outward normal (red, green, blue), of any
@@ -277,7 +277,7 @@ vec4 sc_curvature(ivec2 pixel)
 #ifndef SC_LIBRARY
 #ifdef SC_COMPUTE
 #ifndef SC_LOCAL_SIZE_X
-#define SC_LOCAL_SIZE_X 8
+#define SC_LOCAL_SIZE_X 16
 #endif
 #ifndef SC_LOCAL_SIZE_Y
 #define SC_LOCAL_SIZE_Y 8

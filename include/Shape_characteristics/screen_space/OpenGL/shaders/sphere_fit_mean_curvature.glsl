@@ -6,7 +6,7 @@
 // sc_sphere_curvature() and its uniforms for a shader of yours.
 //
 // Defines (before the file):
-//   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (8, 8)
+//   SC_LOCAL_SIZE_X, SC_LOCAL_SIZE_Y   the compute shader's work group (16, 8)
 //
 // Inputs: as those of screen_space_curvature.glsl, and
 //   sc_radius               the ball around the point that sc_radius pixels span there is fitted
@@ -124,7 +124,7 @@ vec4 sc_sphere_curvature(ivec2 center)
 #ifndef SC_LIBRARY
 #ifdef SC_COMPUTE
 #ifndef SC_LOCAL_SIZE_X
-#define SC_LOCAL_SIZE_X 8
+#define SC_LOCAL_SIZE_X 16
 #endif
 #ifndef SC_LOCAL_SIZE_Y
 #define SC_LOCAL_SIZE_Y 8
