@@ -8,7 +8,7 @@ namespace accuracy {
 
 namespace {
 
-constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_estimated = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 
@@ -30,7 +30,7 @@ Errors measure(const Estimator& estimator, Sample& sample, Normal_map normals, b
   for(Vertex v :
       vertices(sample.mesh)) // what an estimator leaves alone must not count as the last one's result
   {
-    curvatures[v].min_curvature = curvatures[v].max_curvature = nan_value;
+    curvatures[v].min_curvature = curvatures[v].max_curvature = not_estimated;
     statuses[v] = SC::Estimation_status::UNREFERENCED;
   }
 
@@ -42,8 +42,8 @@ Errors measure(const Estimator& estimator, Sample& sample, Normal_map normals, b
   for(Vertex v : vertices(sample.mesh))
   {
     const bool estimated = SC::is_estimated(statuses[v]);
-    const double k_max = estimated ? curvatures[v].max_curvature : nan_value;
-    const double k_min = estimated ? curvatures[v].min_curvature : nan_value;
+    const double k_max = estimated ? curvatures[v].max_curvature : not_estimated;
+    const double k_min = estimated ? curvatures[v].min_curvature : not_estimated;
     const double of_max = k_max - sample.exact[v].k_max, of_min = k_min - sample.exact[v].k_min;
     const double of_product = k_max * k_min - sample.exact[v].gaussian();
     errors.all.add(of_max, of_min);
@@ -61,7 +61,7 @@ Normal_map measure(const Normal_estimator& estimator, Sample& sample, Normal_err
 {
   Normal_map normals = sample.mesh.add_property_map<Vertex, Kernel::Vector_3>("v:estimated_normals").first;
   for(Vertex v : vertices(sample.mesh))
-    normals[v] = Kernel::Vector_3(nan_value, nan_value, nan_value);
+    normals[v] = Kernel::Vector_3(not_estimated, not_estimated, not_estimated);
   estimator.run(sample.mesh, normals);
   for(Vertex v : vertices(sample.mesh))
   {

@@ -1,14 +1,16 @@
 #include "Scan.h"
 
 #include <Shape_characteristics/sampling/Neighborhood.h>
-#include <Shape_characteristics/sampling/Point_set_samples.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cstddef>
 
 namespace registration {
+
+namespace SC = Shape_characteristics;
 
 double mean_edge_length(const Scan& scan)
 {
@@ -21,7 +23,6 @@ double mean_edge_length(const Scan& scan)
 
 double mean_nearest_distance(const Points& points)
 {
-  namespace SC = Shape_characteristics;
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   std::vector<Point_3> copies;
   copies.reserve(points.size());
@@ -46,6 +47,14 @@ double radius_about_centroid(const Points& points, Eigen::Vector3d& center)
   for(const Eigen::Vector3d& p : points)
     radius = (std::max)(radius, (p - center).norm());
   return radius;
+}
+
+SC::Point_set_samples samples_of(const Scan& scan, double radius)
+{
+  SC::Point_set_samples samples(scan.points, CGAL::Identity_property_map<Eigen::Vector3d>(),
+                                SC::Neighborhood::ball(radius));
+  samples.set_normals(scan.normals);
+  return samples;
 }
 
 } // namespace registration

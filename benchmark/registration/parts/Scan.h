@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_BENCHMARK_REGISTRATION_PARTS_SCAN_H
 #define SHAPE_CHARACTERISTICS_BENCHMARK_REGISTRATION_PARTS_SCAN_H
 
+#include <Shape_characteristics/sampling/Point_set_samples.h>
+
 #include <Eigen/Core>
 
 #include <array>
@@ -28,6 +30,9 @@ double mean_nearest_distance(const Points& points);
 
 /// the largest distance from the centroid, which is returned in `center`
 double radius_about_centroid(const Points& points, Eigen::Vector3d& center);
+
+/// the points as samples, with their normals, whose neighbors are those within `radius`
+Shape_characteristics::Point_set_samples samples_of(const Scan& scan, double radius);
 
 } // namespace registration
 

@@ -8,7 +8,6 @@
 #include <Shape_characteristics/descriptors/Signed_volume_descriptor.h>
 #include <Shape_characteristics/descriptors/Symmetry_flux_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
-#include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -32,14 +31,6 @@ std::vector<float> column(const SC::Descriptor_matrix& matrix, Eigen::Index k)
   for(Eigen::Index i = 0; i < matrix.values.rows(); ++i)
     values.push_back(std::isfinite(matrix.values(i, k)) ? matrix.values(i, k) : 0.f);
   return values;
-}
-
-Point_set_samples samples_of(const Scan& scan, double radius)
-{
-  Point_set_samples samples(scan.points, CGAL::Identity_property_map<Eigen::Vector3d>(),
-                            SC::Neighborhood::ball(radius));
-  samples.set_normals(scan.normals);
-  return samples;
 }
 
 } // namespace

@@ -16,7 +16,6 @@
 #include <Shape_characteristics/registration/match_descriptors.h>
 #include <Shape_characteristics/registration/register_partial_scans.h>
 #include <Shape_characteristics/registration/tuple_test.h>
-#include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -76,14 +75,6 @@ double radius_of(const Split& split, std::size_t neighbors)
   const std::size_t rank = (std::min)(used * neighbors, distances.size() - 1);
   std::nth_element(distances.begin(), distances.begin() + std::ptrdiff_t(rank), distances.end());
   return distances[rank];
-}
-
-Point_set_samples samples_of(const Scan& scan, double radius)
-{
-  Point_set_samples samples(scan.points, CGAL::Identity_property_map<Eigen::Vector3d>(),
-                            SC::Neighborhood::ball(radius));
-  samples.set_normals(scan.normals);
-  return samples;
 }
 
 struct Descriptors

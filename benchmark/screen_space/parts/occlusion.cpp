@@ -226,7 +226,7 @@ double mean_light(const Picture& picture, const Light& truth)
   return sum / double(count);
 }
 
-struct Method
+struct Occlusion_method
 {
   std::string name;
   double parameter;
@@ -261,7 +261,7 @@ Findings measure_occlusion(const Settings& settings)
       const auto two_part = [](double parameter) { return SC::Two_part_ambient_occlusion(parameter); };
       const auto Hattori = [](double parameter) { return SC::Hattori_ambient_occlusion(parameter); };
       const auto Griffin = [](double parameter) { return SC::Griffin_ambient_occlusion(parameter); };
-      std::vector<Method> methods;
+      std::vector<Occlusion_method> methods;
       const auto add = [&](const char* name, double parameter, const auto& make) {
         methods.push_back({name, parameter, picture.light(make(parameter)), {}});
       };
@@ -279,7 +279,7 @@ Findings measure_occlusion(const Settings& settings)
       if(findings.digests.empty())
       {
         std::vector<std::string> columns = {"mesh", "reach of rays"};
-        for(const Method& m : methods)
+        for(const Occlusion_method& m : methods)
           columns.push_back(m.name);
         findings.digests.emplace_back(
             "occlusion_rms", "Ambient occlusion: rms error to the ray-cast picture (Figure 7.17)", columns);
@@ -289,7 +289,7 @@ Findings measure_occlusion(const Settings& settings)
       }
       std::vector<Table::Cell> rms_row = {picture.name, is_unlimited ? "any" : "a tenth of the diagonal"},
                                correlation_row = rms_row;
-      for(Method& m : methods)
+      for(Occlusion_method& m : methods)
       {
         m.agreement = compare(m.light, truth);
         findings.all.add({picture.name, picture.faces, is_unlimited ? "inf" : "0.2", m.name, m.parameter,
