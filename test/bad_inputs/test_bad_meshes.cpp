@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bad_meshes
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
@@ -27,6 +26,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(bad_meshes)
 
 using namespace test_support;
 using namespace bad_inputs;
@@ -802,3 +803,5 @@ BOOST_AUTO_TEST_CASE(calls_leave_no_trace)
   }
   BOOST_TEST(mesh.properties<Mesh::Vertex_index>().size() == 3); // points, connectivity, removal
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE bad_point_sets
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
@@ -20,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(bad_point_sets)
 
 using namespace test_support;
 using namespace bad_inputs;
@@ -416,3 +417,5 @@ BOOST_AUTO_TEST_CASE(number_of_threads)
     }
 }
 #endif
+
+BOOST_AUTO_TEST_SUITE_END()

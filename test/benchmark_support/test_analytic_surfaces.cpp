@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE analytic_surfaces
 #include <boost/test/unit_test.hpp>
 
 #include "analytic_surfaces.h"
@@ -11,6 +10,8 @@
 
 // The surfaces that other tests take for the truth are checked against the equations of the surfaces, of which
 // everything is derived here by finite differences.
+
+BOOST_AUTO_TEST_SUITE(analytic_surfaces)
 
 using namespace test_support;
 using benchmark_support::cross;
@@ -171,3 +172,5 @@ BOOST_AUTO_TEST_CASE(jitter_moves_vertices_and_depends_on_the_seed_alone)
       ++valence[v];
   BOOST_TEST(*std::max_element(valence.begin(), valence.end()) > 6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

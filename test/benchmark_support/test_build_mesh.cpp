@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE build_mesh
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polyhedron_3.h>
@@ -17,7 +16,10 @@
 #include <string>
 #include <vector>
 
+BOOST_AUTO_TEST_SUITE(build_mesh)
+
 using namespace test_support;
+using test_support::build_mesh; // not the suite
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
@@ -145,3 +147,5 @@ BOOST_AUTO_TEST_CASE(what_no_halfedge_structure_holds_is_refused)
                    {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}};
   BOOST_CHECK_THROW(build_mesh<Surface_mesh>(m), std::runtime_error);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

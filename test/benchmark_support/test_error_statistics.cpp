@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE error_statistics
 #include <boost/test/unit_test.hpp>
 
 #include "Command_line.h"
@@ -9,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(error_statistics)
 
 using namespace benchmark_support;
 
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(command_lines)
     BOOST_CHECK_THROW(parse({"--points", bad}).number("points", 1), std::invalid_argument);
   BOOST_CHECK_THROW(parse({"--points", "3"}).number("points", 1, 4), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

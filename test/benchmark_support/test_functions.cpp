@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE functions
 #include <boost/test/unit_test.hpp>
 
 #include "Random.h"
 #include "test_functions.h"
 
 #include <cmath>
+
+BOOST_AUTO_TEST_SUITE(functions)
 
 using namespace benchmark_support;
 
@@ -118,3 +119,5 @@ BOOST_AUTO_TEST_CASE(unknown_names_are_refused)
   BOOST_CHECK_THROW(explicit_function("f1i"), std::invalid_argument);
   BOOST_CHECK_THROW(implicit_function("f1e"), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

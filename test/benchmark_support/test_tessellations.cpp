@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE tessellations
 #include <boost/test/unit_test.hpp>
 
 #include "dual_contouring.h"
@@ -10,6 +9,8 @@
 #include <set>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(tessellations)
 
 using namespace benchmark_support;
 
@@ -383,3 +384,5 @@ BOOST_AUTO_TEST_CASE(incremental_triangulation_leaves_out_flat_triangles_of_the_
   }
   BOOST_TEST(found == mesh.triangles.size());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

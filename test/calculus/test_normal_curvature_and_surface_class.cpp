@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE normal_curvature_and_surface_class
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/curvature/implicit_surface_curvatures.h>
@@ -11,6 +10,10 @@
 #include <random>
 #include <set>
 #include <string>
+
+BOOST_TEST_DONT_PRINT_LOG_VALUE(Shape_characteristics::Surface_class)
+
+BOOST_AUTO_TEST_SUITE(normal_curvature_and_surface_class)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -25,8 +28,6 @@ Curvatures curvatures(double k_min, double k_max)
 }
 
 } // namespace
-
-BOOST_TEST_DONT_PRINT_LOG_VALUE(SC::Surface_class)
 
 // the second derivative of the surface along the direction is the oracle
 BOOST_AUTO_TEST_CASE(equals_the_quadratic_form_of_the_hessian)
@@ -128,3 +129,5 @@ BOOST_AUTO_TEST_CASE(class_names_differ)
   BOOST_TEST(names.size() == 7u);
   BOOST_TEST(names.count("") == 0u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

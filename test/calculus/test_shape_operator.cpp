@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE shape_operator
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
@@ -8,6 +7,8 @@
 #include <Eigen/Dense>
 
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(shape_operator)
 
 namespace internal = Shape_characteristics::internal;
 using Eigen::Vector3d;
@@ -276,3 +277,5 @@ BOOST_AUTO_TEST_CASE(second_fundamental_form_in_any_basis)
   BOOST_TEST(std::isnan(
       internal::eigen_of_second_fundamental_form(z_axis, 1, 0, 1, x_axis, 0 * x_axis).max_curvature));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

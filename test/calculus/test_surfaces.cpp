@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE surfaces
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/curvature/Fundamental_forms.h>
@@ -16,6 +15,8 @@
 #include <array>
 #include <cmath>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(surfaces)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -412,3 +413,5 @@ BOOST_AUTO_TEST_CASE(height_fields_on_steep_slopes)
     BOOST_TEST(std::abs(c.min_curvature) < 1e-15 * slope * slope + 1e-14);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

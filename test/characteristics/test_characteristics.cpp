@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE characteristics
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
@@ -16,6 +15,8 @@
 #include <limits>
 #include <random>
 #include <type_traits>
+
+BOOST_AUTO_TEST_SUITE(characteristics)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -204,3 +205,5 @@ BOOST_AUTO_TEST_CASE(any_type_with_the_two_members)
   BOOST_TEST(!SC::is_umbilic(c));
   BOOST_TEST(!SC::is_planar(c));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE saliency
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
@@ -21,6 +20,8 @@
 #include <stdexcept>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(saliency)
 
 namespace SC = Shape_characteristics;
 namespace np = SC::parameters;
@@ -370,3 +371,5 @@ BOOST_AUTO_TEST_CASE(bad_input)
     BOOST_TEST(std::count(r.status.begin(), r.status.end(), S::CANCELLED) == 300);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE adaptive
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -29,6 +28,8 @@
 #include <tuple>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(adaptive)
 
 using namespace estimator_checks;
 
@@ -694,3 +695,5 @@ BOOST_AUTO_TEST_CASE(normal_noise_level)
     BOOST_CHECK_THROW(SC::hrbf_curvatures(data.mesh, SC::parameters::normal_noise_level(wrong)),
                       std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

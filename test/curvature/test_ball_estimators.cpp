@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE ball_estimators
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -21,6 +20,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(ball_estimators)
 
 // The estimators that look at the triangles in a ball: Cohen-Steiner's and Morvan's, and Hildebrandt's and Polthier's.
 using namespace estimator_checks;
@@ -353,3 +354,5 @@ BOOST_AUTO_TEST_CASE(preconditions)
         (estimator.one(*vertices(triangle).begin(), triangle, np) == SC::Estimation_status::FEW_NEIGHBOURS));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

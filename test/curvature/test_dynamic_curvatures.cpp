@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE dynamic_curvatures
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -24,6 +23,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(dynamic_curvatures)
 
 using namespace estimator_checks;
 
@@ -287,3 +288,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
     BOOST_TEST(first_difference(soup, maps, whole) == soup.number_of_vertices());
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

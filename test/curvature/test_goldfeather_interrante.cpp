@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE goldfeather_interrante
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -17,6 +16,8 @@
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(goldfeather_interrante)
 
 using namespace estimator_checks;
 
@@ -228,3 +229,5 @@ BOOST_AUTO_TEST_CASE(points)
       BOOST_TEST(!SC::is_estimated(e));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE height_grid
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -28,6 +27,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(height_grid)
 
 namespace {
 
@@ -414,3 +415,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
     check_consistency(g, run(g));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE hrbf_accuracy
 #include <boost/test/unit_test.hpp>
 
 #include "../../benchmark/support/tessellations.h"
@@ -20,6 +19,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hrbf_accuracy)
 
 namespace SC = Shape_characteristics;
 using namespace estimator_checks;
@@ -513,3 +514,5 @@ BOOST_AUTO_TEST_CASE(coarse_surfaces)
     BOOST_TEST(error < 1.1 * error_of_unaware);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

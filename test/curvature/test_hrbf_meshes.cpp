@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE hrbf_meshes
 #include <boost/test/unit_test.hpp>
 
 #include "hrbf_estimator.h"
@@ -18,6 +17,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hrbf_meshes)
 
 namespace SC = Shape_characteristics;
 using namespace estimator_checks;
@@ -387,3 +388,5 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   BOOST_CHECK_EXCEPTION(cloud.run(cloud.parameters().neighbor_radius(quiet_nan)), std::invalid_argument,
                         names("neighbor_radius"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,10 +1,11 @@
-#define BOOST_TEST_MODULE hrbf_threads
 #include <boost/test/unit_test.hpp>
 
 #include "hrbf_estimator.h"
 
 #include <cmath>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hrbf_threads)
 
 namespace SC = Shape_characteristics;
 using namespace estimator_checks;
@@ -53,3 +54,5 @@ BOOST_AUTO_TEST_CASE(callback)
   for(const auto status : incomplete.status)
     BOOST_TEST((status == SC::Estimation_status::ESTIMATED || status == SC::Estimation_status::CANCELLED));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE integral_invariants
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -15,6 +14,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(integral_invariants)
 
 using namespace estimator_checks;
 
@@ -289,3 +290,5 @@ BOOST_AUTO_TEST_CASE(preconditions)
   BOOST_TEST(
       (Invariants().one(*vertices(triangle).begin(), triangle, np) == SC::Estimation_status::FEW_NEIGHBOURS));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,9 +1,10 @@
-#define BOOST_TEST_MODULE interpolated_corrected
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/curvature/interpolated_corrected_curvatures.h>
 
 #ifndef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
+
+BOOST_AUTO_TEST_SUITE(interpolated_corrected)
 
 BOOST_AUTO_TEST_CASE(skipped)
 {
@@ -20,6 +21,8 @@ BOOST_AUTO_TEST_CASE(skipped)
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(interpolated_corrected)
 
 using namespace estimator_checks;
 
@@ -196,3 +199,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters)
 }
 
 #endif
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE jet_fitting
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -13,6 +12,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(jet_fitting)
 
 using namespace estimator_checks;
 
@@ -282,3 +283,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters)
                         [](const std::invalid_argument& e)
                         { return std::string(e.what()).find("normal_map") != std::string::npos; });
 }
+
+BOOST_AUTO_TEST_SUITE_END()

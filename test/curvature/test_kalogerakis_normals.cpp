@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE kalogerakis_normals
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
@@ -20,6 +19,8 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(kalogerakis_normals)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -261,3 +262,5 @@ BOOST_AUTO_TEST_CASE(callback)
     BOOST_TEST(std::isnan(normals[v].x()));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE neighbor_estimators
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -25,6 +24,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(neighbor_estimators)
 
 // The estimators that see neighbors and no faces, on meshes and on point sets: Batagelo's and Wu's, Yang's and Qian's, Razdan's
 // and Bae's, and Kalogerakis's.
@@ -527,3 +528,5 @@ BOOST_AUTO_TEST_CASE(points)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

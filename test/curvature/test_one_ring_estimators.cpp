@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE one_ring_estimators
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -20,6 +19,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(one_ring_estimators)
 
 // The estimators that look at the triangles at a vertex and nothing else: Theisel's, Meyer's and Taubin's.
 using namespace estimator_checks;
@@ -304,3 +305,5 @@ BOOST_AUTO_TEST_CASE(useless_triangles_count_for_nothing)
       if(estimator.method == Method::MEYER)
         BOOST_TEST((status == SC::Estimation_status::BORDER));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE openmesh
 #include <boost/test/unit_test.hpp>
 
 #ifdef CGAL_USE_OPENMESH
@@ -20,9 +19,11 @@
 
 #include <cstddef>
 
+BOOST_AUTO_TEST_SUITE(openmesh)
+
 using namespace estimator_checks;
 
-// A mesh that isn't CGAL's: one estimator of each way to look at a mesh. (One program for all: OpenMesh takes the compiler
+// A mesh that isn't CGAL's: one estimator of each way to look at a mesh. (One test for all: OpenMesh takes the compiler
 // longer than an estimator does.)
 namespace {
 
@@ -91,3 +92,5 @@ BOOST_AUTO_TEST_CASE(equals_a_surface_mesh_to_the_last_bit)
   BOOST_TEST_MESSAGE("  skipped: built without OpenMesh");
 #endif
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE patch_estimators
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -25,6 +24,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(patch_estimators)
 
 // The estimators that put a curved patch over each triangle at a vertex: Zhihong's (PN triangles, in their middles or at
 // the vertex) and Boschiroli's (PNG1 triangles).
@@ -315,3 +316,5 @@ BOOST_AUTO_TEST_CASE(borders)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

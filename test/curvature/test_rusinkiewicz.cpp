@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE rusinkiewicz
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -10,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(rusinkiewicz)
 
 using namespace estimator_checks;
 
@@ -150,3 +151,5 @@ BOOST_AUTO_TEST_CASE(useless_triangles_count_for_nothing)
   for(std::size_t i = 1; i < s.points.size(); ++i)
     BOOST_TEST(std::abs(broken.curvatures[i].min_curvature - 1.) < 1e-12);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE tangent_space
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -10,6 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(tangent_space)
 
 using namespace estimator_checks;
 using SC::Face_weighting;
@@ -170,3 +171,5 @@ BOOST_AUTO_TEST_CASE(bad_parameters)
   }
   BOOST_CHECK_NO_THROW(SC::tangent_space_curvatures(mesh, SC::parameters::number_of_edges(2u)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE voxel_curvatures
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
@@ -26,6 +25,8 @@
 #include <stdexcept>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(voxel_curvatures)
 
 using namespace estimator_checks;
 
@@ -365,3 +366,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_TEST(cube.volume_in_ball(o, 1e-200) == 0.); // what is left of 1e-600
   BOOST_TEST(nothing.volume_in_ball(o, 10.) == 0.);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

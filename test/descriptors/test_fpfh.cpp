@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fpfh
 #include <boost/test/unit_test.hpp>
 
 #include "oriented_cloud.h"
@@ -23,6 +22,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(fpfh)
 
 using namespace oriented_cloud;
 namespace plain = plain_pair_features;
@@ -476,3 +477,5 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
     BOOST_TEST(number_of(S::CANCELLED, incomplete) > 0u);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE pfh
 #include <boost/test/unit_test.hpp>
 
 #include "oriented_cloud.h"
@@ -20,6 +19,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(pfh)
 
 using namespace oriented_cloud;
 namespace plain = plain_pair_features;
@@ -204,3 +205,5 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
   BOOST_TEST(number_of(S::ESTIMATED, of_mesh) == 4u);
   BOOST_TEST((of_mesh.status[4] == S::UNREFERENCED));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

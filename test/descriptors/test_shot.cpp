@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE shot
 #include <boost/test/unit_test.hpp>
 
 #include "oriented_cloud.h"
@@ -24,6 +23,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(shot)
 
 using namespace oriented_cloud;
 using SC::Estimation_status;
@@ -377,3 +378,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
     BOOST_TEST((copied.values.row(301) == before.values.row(0)));
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE spin_images
 #include <boost/test/unit_test.hpp>
 
 #include "height_field.h"
@@ -22,6 +21,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(spin_images)
 
 using namespace oriented_cloud;
 using Real = long double;
@@ -88,7 +89,7 @@ plain_spin_image(const Cloud& cloud, std::size_t i, double r, unsigned int width
   return in_percent(image);
 }
 
-double difference(const SC::Descriptor_matrix& m, std::size_t row, const std::vector<Real>& expected)
+double difference_of_row(const SC::Descriptor_matrix& m, std::size_t row, const std::vector<Real>& expected)
 {
   Real largest = 0;
   for(std::size_t k = 0; k < expected.size(); ++k)
@@ -126,8 +127,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_plain_loops)
       double worst = 0.;
       for(std::size_t i = 0; i < cloud.points.size(); ++i)
         if(SC::is_estimated(m.status[i]))
-          worst =
-              (std::max)(worst, difference(m, i, plain_spin_image(cloud, i, radius, width, support_angle)));
+          worst = (std::max)(
+              worst, difference_of_row(m, i, plain_spin_image(cloud, i, radius, width, support_angle)));
       BOOST_TEST(worst < 1e-5);
     }
 }
@@ -160,7 +161,7 @@ BOOST_AUTO_TEST_CASE(of_a_sphere)
         SC::compute_descriptors(SC::Spin_image_descriptor<SC::Point_set_samples>(samples), some);
     double worst = 0.;
     for(std::size_t k = 0; k < some.size(); ++k)
-      worst = (std::max)(worst, difference(m, k, expected));
+      worst = (std::max)(worst, difference_of_row(m, k, expected));
     errors.push_back(worst);
   }
   BOOST_TEST(errors[0] < 3.); // of a hundred, with some 190 neighbors
@@ -325,3 +326,5 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
       same_bits(SC::spin_image_descriptors(test_support::build_mesh<CGAL::Polyhedron_3<Kernel> >(torus)),
                 SC::spin_image_descriptors(test_support::build_mesh<Mesh>(torus))));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE symmetry_flux
 #include <boost/test/unit_test.hpp>
 
 #include "height_field.h"
@@ -17,6 +16,8 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(symmetry_flux)
 
 // The flux through the triangles of meshes; test_symmetry_signals.cpp has that of points.
 using namespace oriented_cloud;
@@ -206,3 +207,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
     BOOST_TEST(number_of(Estimation_status::ESTIMATED, m) + number_of(Estimation_status::BORDER, m) == 80u);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE symmetry_signals
 #include <boost/test/unit_test.hpp>
 
 #include "height_field.h"
@@ -22,6 +21,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(symmetry_signals)
 
 using namespace oriented_cloud;
 using height_field_test::height_field;
@@ -453,3 +454,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   }
   BOOST_CHECK_THROW(SC::chiralities(std::vector<Kernel::Point_3>()), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE support
 #include <boost/test/unit_test.hpp>
 
 #include "../../examples/support/Contact_sheet.h"
@@ -30,6 +29,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(support)
 
 namespace {
 
@@ -745,3 +746,5 @@ BOOST_AUTO_TEST_CASE(data_files)
     unsetenv("SHAPE_CHARACTERISTICS_DATA");
   std::filesystem::remove_all(folder);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE deform_as_rigid_as_possible
 #include <boost/test/unit_test.hpp>
 
 #include "bad_meshes.h"
@@ -12,6 +11,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(deform_as_rigid_as_possible)
 
 using namespace handles_on_surfaces;
 using SC::deform_as_rigid_as_possible;
@@ -162,3 +163,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
       BOOST_TEST(std::isfinite(mesh.point(v).z()));
   BOOST_TEST(std::abs(mesh.point(source).z() - .2) < 1e-12);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

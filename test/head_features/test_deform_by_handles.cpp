@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE deform_by_handles
 #include <boost/test/unit_test.hpp>
 
 #include "bad_meshes.h"
@@ -15,6 +14,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(deform_by_handles)
 
 using namespace handles_on_surfaces;
 using SC::deform_by_handles;
@@ -458,3 +459,5 @@ BOOST_AUTO_TEST_CASE(bad_meshes)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

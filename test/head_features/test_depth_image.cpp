@@ -1,5 +1,4 @@
 // Pictures of a head, from which its features are found.
-#define BOOST_TEST_MODULE depth_image
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/head_features/internal/Depth_image.h>
@@ -13,6 +12,8 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(depth_image)
 
 using Eigen::Vector3d;
 using Shape_characteristics::internal::Depth_image;
@@ -206,3 +207,5 @@ BOOST_AUTO_TEST_CASE(triangles_that_are_not_drawn)
     for(int i = 0; i < with.depth().width(); ++i)
       BOOST_TEST(with.triangle(i, j) == without.triangle(i, j));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE detect_head_features
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polyhedron_3.h>
@@ -21,6 +20,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(detect_head_features)
 
 namespace SC = Shape_characteristics;
 using SC::Head_feature;
@@ -368,3 +369,5 @@ BOOST_AUTO_TEST_CASE(the_method_of_the_thesis)
   BOOST_CHECK_THROW(SC::detect_head_features(mesh, np(300, 200, 150).detection_radius(-1.)),
                     std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Feature points of the heads in ../shared/data/heads against where they are known to be. Without that folder, nothing is tested.
-#define BOOST_TEST_MODULE detect_head_features_on_heads
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
@@ -23,6 +22,8 @@
 #include <set>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(detect_head_features_on_heads)
 
 namespace SC = Shape_characteristics;
 using SC::Head_feature;
@@ -272,3 +273,5 @@ BOOST_AUTO_TEST_CASE(variants)
       }
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

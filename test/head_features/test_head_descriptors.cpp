@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE head_descriptors
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polyhedron_3.h>
@@ -22,6 +21,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(head_descriptors)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -238,3 +239,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_TEST(failures >= 1u);
   BOOST_TEST(missing == failures);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

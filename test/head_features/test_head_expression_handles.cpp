@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE head_expression_handles
 #include <boost/test/unit_test.hpp>
 
 #include "handles_on_surfaces.h"
@@ -16,6 +15,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(head_expression_handles)
 
 using namespace handles_on_surfaces;
 using SC::Head_expression;
@@ -186,3 +187,5 @@ BOOST_AUTO_TEST_CASE(what_is_missing_is_named)
   for(std::size_t i = 0; i < SC::number_of_head_expressions; ++i)
     BOOST_TEST(message(Features(), Head_expression(i)) != "");
 }
+
+BOOST_AUTO_TEST_SUITE_END()

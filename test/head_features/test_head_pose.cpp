@@ -1,6 +1,5 @@
 // Poses of heads from any rotation, and refusals of what isn't a head. The heads in ../shared/data/heads are left out where that
 // folder isn't there.
-#define BOOST_TEST_MODULE head_pose
 #include "../../examples/support/data_file.h"
 
 #include <Shape_characteristics/head_features/estimate_head_pose.h>
@@ -27,6 +26,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(head_pose)
 
 namespace SC = Shape_characteristics;
 namespace params = SC::parameters;
@@ -221,3 +222,5 @@ BOOST_AUTO_TEST_CASE(heads_with_known_poses)
     BOOST_TEST(std::abs(error[2]) < 1., name);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // The pitch that the features of a face tell.
-#define BOOST_TEST_MODULE pitch_of_features
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/head_features/internal/pitch_of_features.h>
@@ -9,6 +8,8 @@
 
 #include <cmath>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(pitch_of_features)
 
 namespace SC = Shape_characteristics;
 using SC::Head_feature;
@@ -107,3 +108,5 @@ BOOST_AUTO_TEST_CASE(few_features)
     p.place.position = Eigen::Vector3d(0., 0., .4);
   BOOST_TEST(std::isfinite(SC::internal::pitch_of_features(same)));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Planes of symmetry of shapes that have one, several or none by construction.
-#define BOOST_TEST_MODULE symmetry_plane
 #include <Shape_characteristics/head_features/detect_symmetry_plane.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -21,6 +20,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(symmetry_plane)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -230,3 +231,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   quad.add_face(a, b, c, d);
   BOOST_CHECK_THROW(SC::detect_symmetry_plane(quad), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

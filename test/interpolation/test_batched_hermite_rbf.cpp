@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE batched_hermite_rbf
 #include <boost/test/unit_test.hpp>
 
 #include "analytic_surfaces.h"
@@ -37,6 +36,8 @@
 #include <limits>
 #include <random>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(batched_hermite_rbf)
 
 namespace SC = Shape_characteristics;
 namespace internal = SC::internal;
@@ -545,3 +546,5 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
     BOOST_TEST(workspace.neighborhood.points.size() == neighbors + 1);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE hermite_rbf
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/curvature/implicit_surface_curvatures.h>
@@ -28,6 +27,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hermite_rbf)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -587,3 +588,5 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic_logarithmic<3>()),
                         std::invalid_argument, names("`basis_function`"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,4 @@
 // Numbers with more digits on lanes, against numbers with twice as many: arithmetic, and basis functions.
-#define BOOST_TEST_MODULE pair_on_lanes
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
@@ -16,6 +15,8 @@
 #include <cstddef>
 #include <cstring>
 #include <random>
+
+BOOST_AUTO_TEST_SUITE(pair_on_lanes)
 
 namespace internal = Shape_characteristics::internal;
 namespace SC = Shape_characteristics;
@@ -204,3 +205,5 @@ BOOST_AUTO_TEST_CASE(lanes_that_every_processor_has)
 {
   check<most_lanes>();
 }
+
+BOOST_AUTO_TEST_SUITE_END()

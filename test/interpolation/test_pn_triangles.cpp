@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE pn_triangles
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/curvature/parametric_surface_curvatures.h>
@@ -19,6 +18,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(pn_triangles)
 
 namespace {
 
@@ -521,3 +522,5 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_TEST(eigen(opposite.normal({.5, .5, 0.})).hasNaN());
   BOOST_TEST(eigen(opposite.point({.5, .5, 0.})).allFinite());
 }
+
+BOOST_AUTO_TEST_SUITE_END()

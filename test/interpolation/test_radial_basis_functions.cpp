@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE radial_basis_functions
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
@@ -27,6 +26,8 @@
 #include <string>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(radial_basis_functions)
 
 namespace SC = Shape_characteristics;
 
@@ -484,3 +485,5 @@ BOOST_AUTO_TEST_CASE(wendland_1_1_is_not_positive_definite_in_space)
   BOOST_TEST(quadratic_form(SC::Wendland_1_1(1)) < -1e-6);
   BOOST_TEST(quadratic_form(SC::Wendland_3_2(1)) > 1e-6);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

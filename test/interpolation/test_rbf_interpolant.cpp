@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE rbf_interpolant
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
@@ -21,6 +20,8 @@
 #include <random>
 #include <tuple>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(rbf_interpolant)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -427,3 +428,5 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   BOOST_CHECK_EXCEPTION(SC::Rbf_interpolant(points, Values(3), SC::Polyharmonic_logarithmic<3>()),
                         std::invalid_argument, names("`basis_function`"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE hrbf_normals
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
@@ -19,6 +18,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(hrbf_normals)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -194,3 +195,5 @@ BOOST_AUTO_TEST_CASE(points_without_an_answer)
       SC::hrbf_normals(mesh, normals, SC::parameters::radial_basis_function(SC::Polyharmonic<4>())),
       std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE point_normals
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/normals/point_normals.h>
@@ -18,6 +17,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(point_normals)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -388,3 +389,5 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
     BOOST_CHECK_EXCEPTION(run(cloud, parameters().neighbor_radius(radius)), std::invalid_argument,
                           names("neighbor_radius"));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE vertex_normals
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polyhedron_3.h>
@@ -19,6 +18,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(vertex_normals)
 
 namespace SC = Shape_characteristics;
 using namespace test_support;
@@ -362,3 +363,5 @@ BOOST_AUTO_TEST_CASE(convergence)
     BOOST_TEST(errors[1][2] <= errors[w][2]);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE fast_global_registration
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/registration/fast_global_registration.h>
@@ -16,6 +15,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(fast_global_registration)
 
 namespace SC = Shape_characteristics;
 using SC::Correspondence;
@@ -366,3 +367,5 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_TEST(!result.has_converged);
   BOOST_TEST(result.number_of_iterations == 7u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

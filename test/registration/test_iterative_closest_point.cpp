@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE iterative_closest_point
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/registration/iterative_closest_point.h>
@@ -16,6 +15,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(iterative_closest_point)
 
 namespace SC = Shape_characteristics;
 using SC::Oriented_points;
@@ -342,3 +343,5 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_TEST(one.number_of_iterations == 1u);
   BOOST_TEST(!one.has_converged);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE matching
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/registration/match_descriptors.h>
@@ -19,6 +18,8 @@
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(matching)
 
 namespace SC = Shape_characteristics;
 using SC::Correspondence;
@@ -524,3 +525,5 @@ BOOST_AUTO_TEST_CASE(bad_input_of_triples)
   throws(P::number_of_tuples(-1));
   throws(P::tries_per_correspondence(-1));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE register_partial_scans
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -24,6 +23,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(register_partial_scans)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -546,3 +547,5 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
   BOOST_TEST(advancement.size() == 1u);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

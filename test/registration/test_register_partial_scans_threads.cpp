@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE register_partial_scans_threads
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -12,6 +11,8 @@
 #include <cstddef>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(register_partial_scans_threads)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -66,3 +67,5 @@ BOOST_AUTO_TEST_CASE(any_number_of_threads)
                  .02); // they are in place
     }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

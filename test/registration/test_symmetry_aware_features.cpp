@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE symmetry_aware_features
 #include <boost/test/unit_test.hpp>
 
 #include "../descriptors/oriented_cloud.h"
@@ -21,6 +20,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(symmetry_aware_features)
 
 using namespace oriented_cloud;
 using SC::Estimation_status;
@@ -205,3 +206,5 @@ BOOST_AUTO_TEST_CASE(mirror)
   check(scaled(here), scaled(there), 1e-5);
   BOOST_CHECK_THROW(SC::mirrored_descriptors(here.fpfh, all(here.shot, 10)), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE threads_of_registration_steps
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/registration/iterative_closest_point.h>
@@ -10,6 +9,8 @@
 
 #include <cmath>
 #include <cstddef>
+
+BOOST_AUTO_TEST_SUITE(threads_of_registration_steps)
 
 namespace SC = Shape_characteristics;
 using test_support::bumpy_ball;
@@ -49,3 +50,5 @@ BOOST_AUTO_TEST_CASE(closest_points)
     BOOST_TEST(result.conditioning == expected.conditioning);
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

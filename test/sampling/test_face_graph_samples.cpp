@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE face_graph_samples
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Polyhedron_3.h>
@@ -34,6 +33,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(face_graph_samples)
 
 namespace SC = Shape_characteristics;
 using namespace test_support;
@@ -617,3 +618,5 @@ BOOST_AUTO_TEST_CASE(neighborhoods_without_meaning)
                       std::invalid_argument);
   BOOST_CHECK_THROW(SC::internal::mesh_neighborhood(sp::neighbor_radius(nan_value)), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

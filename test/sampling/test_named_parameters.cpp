@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE named_parameters
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
@@ -12,6 +11,8 @@
 
 #include <functional>
 #include <type_traits>
+
+BOOST_AUTO_TEST_SUITE(named_parameters)
 
 namespace SC = Shape_characteristics;
 namespace snp = SC::internal_np;
@@ -145,3 +146,5 @@ BOOST_AUTO_TEST_CASE(neighborhoods)
   BOOST_TEST(SC::internal::mesh_neighborhood(cp::neighbor_radius(.25)).radius() == .25);
   BOOST_TEST(SC::internal::point_set_neighborhood(cp::neighbor_radius(.25)).radius() == .25);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

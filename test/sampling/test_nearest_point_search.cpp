@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE nearest_point_search
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
@@ -10,6 +9,8 @@
 #include <cstddef>
 #include <limits>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(nearest_point_search)
 
 namespace SC = Shape_characteristics;
 using benchmark_support::Random;
@@ -96,3 +97,5 @@ BOOST_AUTO_TEST_CASE(points_and_places_that_are_not_finite)
   BOOST_TEST(SC::Nearest_point_search(points).nearest({inf, 0., 0.}) == none);
   BOOST_TEST(SC::Nearest_point_search({{nan, nan, nan}}).nearest({0., 0., 0.}) == none);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE point_set_samples
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
@@ -19,6 +18,8 @@
 #include <numeric>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(point_set_samples)
 
 namespace SC = Shape_characteristics;
 using test_support::Random;
@@ -422,3 +423,5 @@ BOOST_AUTO_TEST_CASE(rings_need_a_mesh)
 {
   BOOST_CHECK_THROW(samples_of(random_points(5, 1), Neighborhood::rings(1)), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

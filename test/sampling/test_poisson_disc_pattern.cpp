@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE poisson_disc_pattern
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/sampling/poisson_disc_pattern.h>
@@ -10,6 +9,8 @@
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(poisson_disc_pattern)
 
 namespace SC = Shape_characteristics;
 
@@ -78,3 +79,5 @@ BOOST_AUTO_TEST_CASE(distances_without_meaning)
       {0., -.3, 1.1, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     BOOST_CHECK_THROW(SC::poisson_disc_pattern(distance), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

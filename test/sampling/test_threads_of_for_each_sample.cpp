@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE threads_of_for_each_sample
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/sampling/for_each_sample.h>
@@ -8,6 +7,8 @@
 #include <set>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(threads_of_for_each_sample)
 
 namespace SC = Shape_characteristics;
 
@@ -122,3 +123,5 @@ BOOST_AUTO_TEST_CASE(sequential_order)
   for(std::size_t i = 0; i < 1000; ++i)
     BOOST_TEST_REQUIRE(order[i] == i);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE ambient_occlusion
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -32,6 +31,8 @@
 #include <random>
 #include <stdexcept>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(ambient_occlusion)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
@@ -451,3 +452,5 @@ BOOST_AUTO_TEST_CASE(light_from_curvature_of_a_picture)
   BOOST_CHECK_THROW(SC::ambient_occlusion(plane.g_buffer(), into(flat).number_of_triangles(5)),
                     std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

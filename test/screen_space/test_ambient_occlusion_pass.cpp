@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE ambient_occlusion_pass
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/screen_space/OpenGL/Ambient_occlusion_pass.h>
@@ -19,6 +18,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(ambient_occlusion_pass)
 
 namespace SC = Shape_characteristics;
 
@@ -202,3 +203,5 @@ BOOST_AUTO_TEST_CASE(the_shader_stands_alone)
   }
   BOOST_TEST(glGetError() == GLenum(GL_NO_ERROR));
 }
+
+BOOST_AUTO_TEST_SUITE_END()

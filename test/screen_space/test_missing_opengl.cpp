@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE missing_opengl
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/screen_space/OpenGL/G_buffer_renderer.h>
@@ -16,6 +15,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(missing_opengl)
 
 namespace SC = Shape_characteristics;
 
@@ -89,3 +90,5 @@ BOOST_AUTO_TEST_CASE(an_old_context)
   eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display, context);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE screen_space_curvatures
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/screen_space/internal/Screen_frame.h>
@@ -19,6 +18,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(screen_space_curvatures)
 
 namespace SC = Shape_characteristics;
 namespace sp = SC::parameters;
@@ -776,3 +777,5 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
   BOOST_CHECK_THROW(Camera::look_at({0., 0., 0.}, {0., 0., 0.}, {0., 1., 0.}), std::invalid_argument);
   BOOST_CHECK_THROW(Camera::look_at({0., 0., 1.}, {0., 0., 0.}, {0., 0., 1.}), std::invalid_argument);
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE screen_space_gpu
 #include <boost/test/unit_test.hpp>
 
 #include <Shape_characteristics/screen_space/OpenGL/G_buffer_renderer.h>
@@ -34,6 +33,8 @@
 #include <type_traits>
 #include <utility>
 #include <vector>
+
+BOOST_AUTO_TEST_SUITE(screen_space_gpu)
 
 namespace SC = Shape_characteristics;
 using test_support::camera_at;
@@ -736,3 +737,5 @@ BOOST_AUTO_TEST_CASE(shader_files_stand_alone)
     }
   }
 }
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,4 +1,3 @@
-#define BOOST_TEST_MODULE memory
 #include <boost/test/unit_test.hpp>
 
 #include <CGAL/Simple_cartesian.h>
@@ -79,6 +78,8 @@ void operator delete(void* p, std::size_t, std::align_val_t) noexcept
 {
   release(p);
 }
+
+BOOST_AUTO_TEST_SUITE(curvature_estimators)
 
 namespace {
 
@@ -253,3 +254,5 @@ BOOST_AUTO_TEST_CASE(hermite_rbf)
           on_points([exact](auto& points, const auto& np)
                     { return SC::hrbf_curvatures<Tag>(points, np.normals_are_exact(exact)); }));
 }
+
+BOOST_AUTO_TEST_SUITE_END()
