@@ -3,6 +3,8 @@
 #include "dual_contouring.h"
 #include "tessellations.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -100,13 +102,13 @@ BOOST_AUTO_TEST_CASE(marching_cubes_makes_a_sphere_and_a_torus)
     const Topology ts = topology(s);
     BOOST_TEST((ts.manifold && !ts.degenerate && ts.border_edges == 0 && ts.unreferenced == 0));
     BOOST_TEST(ts.euler == 2);
-    BOOST_TEST(std::abs(volume(s) - 4. / 3. * M_PI) < .01 * 4. / 3. * M_PI); // outward: positive
+    BOOST_TEST(std::abs(volume(s) - 4. / 3. * CGAL_PI) < .01 * 4. / 3. * CGAL_PI); // outward: positive
 
     const Triangle_arrays t = marching_cubes(torus, {-1.5, -1.5, -.5}, {1.5, 1.5, .5}, 40, crossing);
     const Topology tt = topology(t);
     BOOST_TEST((tt.manifold && !tt.degenerate && tt.border_edges == 0 && tt.unreferenced == 0));
     BOOST_TEST(tt.euler == 0);
-    BOOST_TEST(std::abs(volume(t) - 2. * M_PI * M_PI * .16) < .02 * 2. * M_PI * M_PI * .16);
+    BOOST_TEST(std::abs(volume(t) - 2. * CGAL_PI * CGAL_PI * .16) < .02 * 2. * CGAL_PI * CGAL_PI * .16);
   }
 }
 
@@ -119,7 +121,7 @@ BOOST_AUTO_TEST_CASE(dual_contouring_makes_a_sphere_a_torus_and_a_box)
   const Topology ts = topology(s);
   BOOST_TEST((ts.manifold && !ts.degenerate && ts.border_edges == 0 && ts.unreferenced == 0));
   BOOST_TEST(ts.euler == 2);
-  BOOST_TEST(std::abs(volume(s) - 4. / 3. * M_PI) < .01 * 4. / 3. * M_PI); // outward: positive
+  BOOST_TEST(std::abs(volume(s) - 4. / 3. * CGAL_PI) < .01 * 4. / 3. * CGAL_PI); // outward: positive
   for(const Vector& p : s.points)
     BOOST_TEST(std::abs(length(p) - 1.) < .1 * 3. / 39.);
 

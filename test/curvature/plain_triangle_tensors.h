@@ -5,6 +5,8 @@
 
 #include "plain_algebra.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Dense>
 
 #include <array>
@@ -82,9 +84,9 @@ inline double mixed_area(const std::array<Eigen::Vector3d, 3>& p)
     return std::atan2(a.cross(b).norm(), a.dot(b));
   };
   const double area = .5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-  if(angle(0) > M_PI / 2.)
+  if(angle(0) > CGAL_PI / 2.)
     return area / 2.;
-  if(angle(1) > M_PI / 2. || angle(2) > M_PI / 2.)
+  if(angle(1) > CGAL_PI / 2. || angle(2) > CGAL_PI / 2.)
     return area / 4.;
   return ((p[2] - p[0]).squaredNorm() / std::tan(angle(1)) +
           (p[1] - p[0]).squaredNorm() / std::tan(angle(2))) /

@@ -7,6 +7,7 @@
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 
 #include "plain_algebra.h"
 
@@ -217,10 +218,10 @@ BOOST_AUTO_TEST_CASE(prism)
 {
   const std::size_t n = 12, rows = 24;
   const Analytic_surface s = test_support::cylinder(1., 4., n, rows);
-  const double angle = 2. * M_PI / double(n), side = 2. * std::sin(angle / 2.), radius = .9 * side;
+  const double angle = 2. * CGAL_PI / double(n), side = 2. * std::sin(angle / 2.), radius = .9 * side;
   const Result result = run(With_radius{Method::NORMAL_CYCLE, radius}, s, Normals::EXACT);
   // the edge through the vertex, and the halves of a disk on both sides
-  const double expected = angle * 2. * radius / (M_PI * radius * radius);
+  const double expected = angle * 2. * radius / (CGAL_PI * radius * radius);
   for(std::size_t i = 0; i < s.points.size(); ++i)
   {
     if(std::abs(s.points[i][2] - 2.) > 1.)

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <array>
@@ -101,24 +102,24 @@ Eigen::Vector2d plain_curvatures(const Analytic_surface& s, std::size_t vertex, 
     for(std::size_t j = 0; j < columns; ++j)
     {
       const double z = -1. + 2. * (double(i) + .5) / double(rows);
-      const double angle = 2. * M_PI * (double(j) + .5) / double(columns), c = std::sqrt(1. - z * z);
+      const double angle = 2. * CGAL_PI * (double(j) + .5) / double(columns), c = std::sqrt(1. - z * z);
       const Eigen::Vector3d d = c * std::cos(angle) * t1 + c * std::sin(angle) * t2 + z * n;
       double length = 1.;
       for(const Plane& p : planes)
         if(const double slope = p.normal.dot(d); slope > 0.)
           length = std::min(length, p.distance / slope);
-      const double weight = 4. * M_PI / double(rows * columns), x = d.dot(t1), y = d.dot(t2);
+      const double weight = 4. * CGAL_PI / double(rows * columns), x = d.dot(t1), y = d.dot(t2);
       volume += weight * std::pow(length, 3) / 3.;
       xx += weight * std::pow(length, 5) / 5. * x * x;
       xy += weight * std::pow(length, 5) / 5. * x * y;
       yy += weight * std::pow(length, 5) / 5. * y * y;
     }
-  const double half_ball = 2. * M_PI / 15.;
-  volume -= 2. * M_PI / 3.;
+  const double half_ball = 2. * CGAL_PI / 15.;
+  volume -= 2. * CGAL_PI / 3.;
   xx -= half_ball;
   yy -= half_ball;
-  const double sum = 48. / M_PI * (volume / 2. - xx - yy);
-  const double difference = 24. / M_PI * std::hypot(xx - yy, 2. * xy);
+  const double sum = 48. / CGAL_PI * (volume / 2. - xx - yy);
+  const double difference = 24. / CGAL_PI * std::hypot(xx - yy, 2. * xy);
   return {.5 * (sum - difference) / radius, .5 * (sum + difference) / radius};
 }
 
@@ -147,11 +148,11 @@ BOOST_AUTO_TEST_CASE(box_in_ball)
 
   const Eigen::Vector3d all = Eigen::Vector3d::Constant(1.5);
   const auto ball = SC::internal::box_in_ball(-all, all);
-  BOOST_TEST(std::abs(ball.volume - 4. * M_PI / 3.) < 1e-14);
-  BOOST_TEST((ball.second - 4. * M_PI / 15. * Eigen::Matrix3d::Identity()).norm() < 1e-14);
+  BOOST_TEST(std::abs(ball.volume - 4. * CGAL_PI / 3.) < 1e-14);
+  BOOST_TEST((ball.second - 4. * CGAL_PI / 15. * Eigen::Matrix3d::Identity()).norm() < 1e-14);
   const auto eighth = SC::internal::box_in_ball(Eigen::Vector3d::Zero(), all);
-  BOOST_TEST(std::abs(eighth.volume - M_PI / 6.) < 1e-14);
-  BOOST_TEST((eighth.first - Eigen::Vector3d::Constant(M_PI / 16.)).norm() < 1e-14);
+  BOOST_TEST(std::abs(eighth.volume - CGAL_PI / 6.) < 1e-14);
+  BOOST_TEST((eighth.first - Eigen::Vector3d::Constant(CGAL_PI / 16.)).norm() < 1e-14);
   Eigen::Vector3d small = Eigen::Vector3d::Constant(.5);
   const auto cube = SC::internal::box_in_ball(-small, small);
   BOOST_TEST(std::abs(cube.volume - 1.) < 1e-14);

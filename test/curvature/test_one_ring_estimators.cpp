@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/theisel_curvatures.h>
 
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Dense>
 
@@ -105,7 +106,7 @@ Plain_meyer plain_meyer(const Analytic_surface& s, std::size_t vertex)
     angles += angle(q - p, r - p);
     area += plain::mixed_area(c.points);
   }
-  return {sum.dot(eigen(s.exact[vertex].normal)) / (4. * area), (2. * M_PI - angles) / area, area};
+  return {sum.dot(eigen(s.exact[vertex].normal)) / (4. * area), (2. * CGAL_PI - angles) / area, area};
 }
 
 // the eigenvalues of Taubin's 3 x 3 matrix
@@ -208,7 +209,7 @@ BOOST_AUTO_TEST_CASE(exact_where_they_can_be)
   {
     const double area = 2. / std::sqrt(3.);
     BOOST_TEST(std::abs(result.mean[i] - 4. * 2. / std::sqrt(3.) / (4. * area)) < 1e-14);
-    BOOST_TEST(std::abs(result.Gaussian[i] - 2. * M_PI / 3. / area) < 1e-14);
+    BOOST_TEST(std::abs(result.Gaussian[i] - 2. * CGAL_PI / 3. / area) < 1e-14);
   }
 }
 
@@ -222,7 +223,7 @@ BOOST_AUTO_TEST_CASE(total_Gaussian_curvature)
     double sum = 0.;
     for(std::size_t i = 0; i < s.points.size(); ++i)
       sum += result.Gaussian[i] * plain_meyer(s, i).area;
-    BOOST_TEST(std::abs(sum - 2. * M_PI * characteristic) < 1e-11);
+    BOOST_TEST(std::abs(sum - 2. * CGAL_PI * characteristic) < 1e-11);
   }
 }
 

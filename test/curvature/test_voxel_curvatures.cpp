@@ -9,6 +9,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -178,7 +179,7 @@ BOOST_AUTO_TEST_CASE(voxels_of_meshes)
 
   const Analytic_surface s = test_support::sphere(1., 5);
   const Surface_mesh sphere = surface_mesh_of(s);
-  BOOST_TEST(std::abs(total(SC::voxelize(sphere, .05)) / (4. * M_PI / 3.) - 1.) < 3e-3);
+  BOOST_TEST(std::abs(total(SC::voxelize(sphere, .05)) / (4. * CGAL_PI / 3.) - 1.) < 3e-3);
 
   for(const double size : {0., -1., std::nan(""), 1e-9})
     BOOST_CHECK_THROW(SC::voxelize(sphere, size), std::invalid_argument);

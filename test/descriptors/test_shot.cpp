@@ -7,6 +7,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 
 #include "analytic_surfaces.h"
@@ -71,7 +72,7 @@ double hat(double distance)
   return std::max(0., 1. - std::abs(distance));
 }
 
-constexpr double degrees = 180. / 3.14159265358979323846;
+constexpr double degrees = 180. / CGAL_PI;
 
 // how far a neighbor is from the center of each bin, in units of bins
 struct Position

@@ -12,6 +12,7 @@
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -182,7 +183,7 @@ BOOST_AUTO_TEST_CASE(equal_plain_ones)
       largest = mean[j] > mean[largest] ? j : largest;
       smallest = mean[j] < mean[smallest] ? j : smallest;
     }
-    const double pi = std::acos(-1.), count = double(near.size()), f = double(sum);
+    const double pi = CGAL_PI, count = double(near.size()), f = double(sum);
     BOOST_TEST(std::abs(double(printed.values(row, 0)) - f) < 1e-6 * radius * count);
     BOOST_TEST(std::abs(double(flux.values(row, 0)) - 2. * pi / count / radius * f) < 1e-6);
     BOOST_TEST(std::abs(double(with_areas.values(row, 0)) - 2. * .01 * f / std::pow(radius, 3)) < 1e-5);

@@ -17,6 +17,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh/IO/PLY.h>
+#include <CGAL/number_type_config.h>
 
 #include <cmath>
 #include <cstdio>
@@ -36,7 +37,7 @@ namespace {
 
 using namespace support;
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = CGAL_PI;
 constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
 
 struct Temporary_file

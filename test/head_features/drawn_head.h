@@ -5,6 +5,8 @@
 
 #include <Shape_characteristics/head_features/Head_feature.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -112,8 +114,7 @@ inline Arrays draw(const Options& options = Options(), unsigned int subdivisions
     for(std::size_t i = 0; i < around; ++i)
       for(std::size_t j = 0; j < across; ++j)
       {
-        const double s = 2 * 3.14159265358979323846 * double(i) / around,
-                     t = 2 * 3.14159265358979323846 * double(j) / across, tube = .013;
+        const double s = 2 * CGAL_PI * double(i) / around, t = 2 * CGAL_PI * double(j) / across, tube = .013;
         head.points.push_back({side * (.345 + tube * std::sin(t)),
                                .02 + (.115 + tube * std::cos(t)) * std::sin(s),
                                -.57 + (.055 + tube * std::cos(t)) * std::cos(s)});

@@ -12,6 +12,7 @@
 #include <Shape_characteristics/head_features/head_descriptors.h>
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(closed_form_on_a_torus)
   {
     const auto [k_min, k_max] = curvatures[i];
     SC::Head_descriptor e;
-    e.shape_index = 2 / 3.14159265358979323846 * std::atan2(k_max + k_min, k_max - k_min);
+    e.shape_index = 2 / CGAL_PI * std::atan2(k_max + k_min, k_max - k_min);
     e.curvedness = (expected[i][0] - low[0]) / (high[0] - low[0]);
     e.mean_curvature = (expected[i][1] - low[1]) / (high[1] - low[1]);
     e.Willmore_energy = (expected[i][2] - low[2]) / (high[2] - low[2]);

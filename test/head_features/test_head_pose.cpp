@@ -8,6 +8,7 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include "analytic_surfaces.h"
 
@@ -92,7 +93,7 @@ Eigen::Vector3d turns(const Eigen::Affine3d& a, const Eigen::Affine3d& b)
 {
   const Eigen::AngleAxisd turn(
       Eigen::Quaterniond(Eigen::Matrix3d(a.rotation() * b.rotation().transpose())).normalized());
-  return turn.angle() * 180. / std::acos(-1.) * turn.axis();
+  return turn.angle() * 180. / CGAL_PI * turn.axis();
 }
 
 std::filesystem::path heads()

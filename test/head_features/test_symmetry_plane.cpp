@@ -3,6 +3,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/number_type_config.h>
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
@@ -101,7 +102,7 @@ double angle(const Detection& found, const Eigen::Affine3d& by = motion)
   const auto n = found.best.plane.orthogonal_vector();
   const Eigen::Vector3d a = Eigen::Vector3d(n.x(), n.y(), n.z()).normalized(),
                         b = by.linear().col(0).normalized();
-  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * 180. / std::acos(-1.);
+  return std::atan2(a.cross(b).norm(), std::abs(a.dot(b))) * 180. / CGAL_PI;
 }
 
 // of the image of the origin from the plane

@@ -12,6 +12,7 @@
 #include "build_mesh.h"
 
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
@@ -169,7 +170,7 @@ BOOST_AUTO_TEST_CASE(polygons)
       if(weighting == Normal_weighting::MAX)
       {
         wall = 1. / 2.; // sin(pi / 2) / (1 2)
-        hexagon = std::sin(2. * M_PI / 3.);
+        hexagon = std::sin(2. * CGAL_PI / 3.);
       }
       else if(weighting == Normal_weighting::AREA)
       {
@@ -178,10 +179,10 @@ BOOST_AUTO_TEST_CASE(polygons)
       }
       else if(weighting == Normal_weighting::ANGLE)
       {
-        wall = M_PI / 2.;
-        hexagon = 2. * M_PI / 3.;
+        wall = CGAL_PI / 2.;
+        hexagon = 2. * CGAL_PI / 3.;
       }
-      const double out = 2. * wall * std::cos(M_PI / 6.);
+      const double out = 2. * wall * std::cos(CGAL_PI / 6.);
       BOOST_TEST(length(n - normalized(Vector{out * p.x, out * p.y, hexagon * p.z})) < 1e-14);
     }
   }

@@ -5,6 +5,8 @@
 
 #include "../../benchmark/support/Random.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -19,7 +21,7 @@ using benchmark_support::Random;
 inline Shape_characteristics::Oriented_points
 bumpy_ball(std::size_t n, bool symmetric = false, double turn = 0.)
 {
-  const double golden_angle = std::acos(-1.) * (3. - std::sqrt(5.)), phase = symmetric ? 0. : .8;
+  const double golden_angle = CGAL_PI * (3. - std::sqrt(5.)), phase = symmetric ? 0. : .8;
   Shape_characteristics::Oriented_points result;
   for(std::size_t i = 0; i < n; ++i)
   {
@@ -46,7 +48,7 @@ inline Eigen::Isometry3d random_motion(Random& random, double length)
     return Eigen::Vector3d(x, y, random.gaussian()).normalized();
   };
   Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
-  motion.linear() = Eigen::AngleAxisd(random.uniform(0., std::acos(-1.)), direction()).toRotationMatrix();
+  motion.linear() = Eigen::AngleAxisd(random.uniform(0., CGAL_PI), direction()).toRotationMatrix();
   motion.translation() = length * direction();
   return motion;
 }

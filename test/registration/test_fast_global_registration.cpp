@@ -5,6 +5,8 @@
 
 #include "bumpy_ball.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -95,7 +97,7 @@ BOOST_AUTO_TEST_CASE(exact_correspondences_give_the_exact_motion)
   for(const Eigen::Vector3d& axis : {Eigen::Vector3d(1., 0., 0.), Eigen::Vector3d(0., .6, -.8)})
   {
     Scene scene = make_scene(100, 0., 1);
-    scene.truth = Eigen::AngleAxisd(std::acos(-1.), axis);
+    scene.truth = Eigen::AngleAxisd(CGAL_PI, axis);
     scene.target = moved(scene.source, scene.truth);
     BOOST_TEST(difference(align(scene), scene.truth, scene.source) < 1e-13);
   }

@@ -5,6 +5,8 @@
 #include "bumpy_ball.h"
 #include "plain_algebra.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -201,7 +203,7 @@ BOOST_AUTO_TEST_CASE(surfaces_that_slide_on_themselves)
     Oriented_points points;
     for(std::size_t i = 0; i < n; ++i)
     {
-      const double u = random.uniform(-1., 1.), v = random.uniform(-1., 1.), angle = std::acos(-1.) * v;
+      const double u = random.uniform(-1., 1.), v = random.uniform(-1., 1.), angle = CGAL_PI * v;
       const double r = std::sqrt(1. - u * u);
       const Eigen::Vector3d normal =
           kind == 0 ? Eigen::Vector3d(0., 0., 1.)

@@ -6,6 +6,7 @@
 #include <Shape_characteristics/registration/register_partial_scans.h>
 
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
@@ -93,7 +94,7 @@ template <typename Shape>
 Scan scan_of(std::size_t number, unsigned seed, const std::function<bool(const Vector3d&)>& is_in)
 {
   std::mt19937 generator(seed);
-  const double phase = random_number(generator), turn = (3. - std::sqrt(5.)) * std::acos(-1.);
+  const double phase = random_number(generator), turn = (3. - std::sqrt(5.)) * CGAL_PI;
   Scan scan;
   for(std::size_t i = 0; i < number; ++i)
   {
@@ -202,7 +203,7 @@ Scan cylinder(std::size_t around, std::size_t along, double height, unsigned see
   for(std::size_t i = 0; i < around; ++i)
     for(std::size_t j = 0; j < along; ++j)
     {
-      const double angle = 2. * std::acos(-1.) * (double(i) + random_number(generator)) / double(around);
+      const double angle = 2. * CGAL_PI * (double(i) + random_number(generator)) / double(around);
       const double z = height * (double(j) + random_number(generator)) / double(along);
       scan.emplace_back(Point(std::cos(angle), std::sin(angle), z),
                         Vector(std::cos(angle), std::sin(angle), 0));

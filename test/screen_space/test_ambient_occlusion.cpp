@@ -17,6 +17,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 #include <CGAL/subdivision_method_3.h>
 #include <CGAL/tags.h>
@@ -100,7 +101,7 @@ BOOST_AUTO_TEST_CASE(Hattori_is_the_quadric_in_a_sphere)
     const int steps = 64; // exact for a trigonometric polynomial of degree 4
     for(int i = 0; i < steps; ++i)
     {
-      const double angle = 2 * 3.14159265358979323846 * i / steps, c = std::cos(angle), s = std::sin(angle);
+      const double angle = 2 * CGAL_PI * i / steps, c = std::cos(angle), s = std::sin(angle);
       const double sine = r * (k1 * c * c + k2 * s * s) / 2;
       hidden += sine * sine / steps;
     }

@@ -15,6 +15,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <epoxy/gl.h>
@@ -391,7 +392,7 @@ BOOST_AUTO_TEST_CASE(level_of_detail_on_a_coarse_mesh)
   // the thesis has it.
   context();
   constexpr int around = 48, across = 20;
-  const double major = 1., minor = .4, pi = 3.14159265358979323846;
+  const double major = 1., minor = .4, pi = CGAL_PI;
   Mesh mesh;
   auto exact = mesh.add_property_map<Mesh::Vertex_index, Kernel::Vector_3>("v:exact").first;
   for(int i = 0; i < around; ++i)

@@ -1,5 +1,7 @@
 #include "analytic_surfaces.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -196,8 +198,8 @@ Analytic_surface ellipsoid_of_longitudes(double a, double b, double c, std::size
   for(std::size_t i = 1; i < rows; ++i)
     for(std::size_t j = 0; j < n; ++j)
     {
-      const double polar_angle = M_PI * double(i) / double(rows),
-                   longitude = 2. * M_PI * double(j) / double(n);
+      const double polar_angle = CGAL_PI * double(i) / double(rows),
+                   longitude = 2. * CGAL_PI * double(j) / double(n);
       s.points.push_back({std::sin(polar_angle) * std::cos(longitude),
                           std::sin(polar_angle) * std::sin(longitude), std::cos(polar_angle)});
     }
@@ -232,7 +234,7 @@ Analytic_surface cylinder(double radius,
   s.triangles = g.triangles;
   for(std::size_t i = 0; i < g.parameters.size(); ++i)
   {
-    const double angle = 2. * M_PI * g.parameters[i].first / double(around);
+    const double angle = 2. * CGAL_PI * g.parameters[i].first / double(around);
     const Vector n{std::cos(angle), std::sin(angle), 0.};
     s.points.push_back({radius * n[0], radius * n[1], height * g.parameters[i].second / double(along)});
     s.exact.push_back(make_exact(n, 0., {0, 0, 1}, 1. / radius, {-n[1], n[0], 0}));
@@ -252,7 +254,7 @@ cone(double radius, double height, std::size_t around, std::size_t along, double
   s.triangles = g.triangles;
   for(std::size_t i = 0; i < g.parameters.size(); ++i)
   {
-    const double angle = 2. * M_PI * g.parameters[i].first / double(around);
+    const double angle = 2. * CGAL_PI * g.parameters[i].first / double(around);
     const double share =
         1. - g.parameters[i].second / double(along); // of the way from the apex to the border
     const double c = std::cos(angle), d = std::sin(angle);
@@ -290,7 +292,7 @@ Analytic_surface torus(double ring,
   s.triangles = g.triangles;
   for(const auto& [u, v] : g.parameters)
   {
-    const double a = 2. * M_PI * u / double(around_ring), b = 2. * M_PI * v / double(around_tube);
+    const double a = 2. * CGAL_PI * u / double(around_ring), b = 2. * CGAL_PI * v / double(around_tube);
     const double distance = ring + tube * std::cos(b);
     s.points.push_back({distance * std::cos(a), distance * std::sin(a), tube * std::sin(b)});
     s.exact.push_back(make_exact({std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)},

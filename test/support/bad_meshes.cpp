@@ -1,5 +1,7 @@
 #include "bad_meshes.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <cmath>
 #include <cstddef>
 #include <map>
@@ -94,7 +96,7 @@ Polygon_arrays prism_of_polygons()
   Polygon_arrays m{"prism of polygons", {}, {}};
   for(int z : {-1, 1})
     for(int i = 0; i < 6; ++i)
-      m.points.push_back({std::cos(i * M_PI / 3.), std::sin(i * M_PI / 3.), double(z)});
+      m.points.push_back({std::cos(i * CGAL_PI / 3.), std::sin(i * CGAL_PI / 3.), double(z)});
   m.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
   for(std::size_t i = 0; i < 6; ++i)
     m.faces.push_back({i, (i + 1) % 6, 6 + (i + 1) % 6, 6 + i});
@@ -190,7 +192,7 @@ Polygon_arrays mixed_valences()
   Polygon_arrays m{"mixed valences", {{0, 0, .5}, {0, 0, -.5}}, {}};
   for(std::size_t i = 0; i < n; ++i)
     m.points.push_back(
-        {std::cos(2. * M_PI * double(i) / double(n)), std::sin(2. * M_PI * double(i) / double(n)), 0.});
+        {std::cos(2. * CGAL_PI * double(i) / double(n)), std::sin(2. * CGAL_PI * double(i) / double(n)), 0.});
   for(std::size_t i = 0; i < n; ++i)
   {
     const std::size_t a = 2 + i, b = 2 + (i + 1) % n, c = m.points.size();
@@ -218,7 +220,8 @@ Polygon_arrays moebius_strip(std::size_t length, std::size_t width)
   for(std::size_t i = 0; i <= length; ++i)
     for(std::size_t j = 0; j <= width; ++j)
     {
-      const double u = 2. * M_PI * double(i) / double(length), v = .4 * (2. * double(j) / double(width) - 1.);
+      const double u = 2. * CGAL_PI * double(i) / double(length),
+                   v = .4 * (2. * double(j) / double(width) - 1.);
       const double r = 1. + v * std::cos(.5 * u);
       m.points.push_back({r * std::cos(u), r * std::sin(u), v * std::sin(.5 * u)});
     }
@@ -257,7 +260,7 @@ Polygon_arrays schwarz_lantern(std::size_t around, std::size_t rings)
   for(std::size_t j = 0; j <= rings; ++j)
     for(std::size_t i = 0; i < around; ++i)
     {
-      const double angle = 2. * M_PI * (double(i) + (j % 2 == 1 ? .5 : 0.)) / double(around);
+      const double angle = 2. * CGAL_PI * (double(i) + (j % 2 == 1 ? .5 : 0.)) / double(around);
       m.points.push_back({std::cos(angle), std::sin(angle), 2. * double(j) / double(rings) - 1.});
     }
   for(std::size_t j = 0; j < rings; ++j)
