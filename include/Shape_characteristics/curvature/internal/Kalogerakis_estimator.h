@@ -81,7 +81,6 @@ class Kalogerakis_estimator
   {
     double x, y, a, b;
     std::uint32_t farther; // of the two, the place among the neighbors
-    bool is_central;       // one of the two is the sample in the middle
   };
 
 public:
@@ -90,6 +89,7 @@ public:
     typename SampledSurface::Workspace neighbors;
     std::vector<Point> points;
     std::vector<Pair> pairs;
+    std::vector<std::size_t> central; // of the pairs, those that the sample in the middle is part of
     std::vector<double> residuals, sorted, weights;
   };
 
@@ -228,27 +228,20 @@ private:
     return *middle;
   }
 
-  // the residuals of all pairs; returns the median of those that the sample in the middle is part of
-  double measure(const Vector& s, Workspace& w) const
+  // the residuals of all pairs
+  void measure(const Vector& s, Workspace& w) const
   {
     w.residuals.resize(w.pairs.size());
-    w.sorted.clear();
     for(std::size_t k = 0; k < w.pairs.size(); ++k)
-    {
       w.residuals[k] = residual(w.pairs[k], s);
-      if(w.pairs[k].is_central)
-        w.sorted.push_back(w.residuals[k]);
-    }
-    return median(w.sorted);
   }
 
-  // the same median alone
+  // the median of the residuals of the central pairs
   double median_of_central(const Vector& s, Workspace& w) const
   {
     w.sorted.clear();
-    for(const Pair& pair : w.pairs)
-      if(pair.is_central)
-        w.sorted.push_back(residual(pair, s));
+    for(const std::size_t k : w.central)
+      w.sorted.push_back(residual(w.pairs[k], s));
     return median(w.sorted);
   }
 
@@ -276,17 +269,20 @@ private:
     }
     // every point with every other one
     w.pairs.clear();
+    w.central.clear();
     for(std::size_t j = 1; j < w.points.size(); ++j)
       for(std::size_t k = 0; k < j; ++k)
       {
         const Point &a = w.points[j], &b = w.points[k];
         const double length = std::hypot(a.x - b.x, a.y - b.y);
-        if(length > s_shortest)
-          w.pairs.push_back({(a.x - b.x) / length, (a.y - b.y) / length, (a.a - b.a) / length,
-                             (a.b - b.b) / length, std::uint32_t(j), k == 0});
+        if(!(length > s_shortest))
+          continue;
+        if(k == 0)
+          w.central.push_back(w.pairs.size());
+        w.pairs.push_back({(a.x - b.x) / length, (a.y - b.y) / length, (a.a - b.a) / length,
+                           (a.b - b.b) / length, std::uint32_t(j)});
       }
-    if(w.pairs.size() < 3 ||
-       std::none_of(w.pairs.begin(), w.pairs.end(), [](const Pair& pair) { return pair.is_central; }))
+    if(w.pairs.size() < 3 || w.central.empty())
       return false;
 
     // The first guess is the one with the least median of residuals, of fits by least squares to the nearest points, to the
@@ -378,14 +374,13 @@ private:
                                 if(!fit(i, neighbors, w, t1, t2, size, s))
                                   return Curvature_estimate(Estimation_status::DEGENERATE);
                                 double sum_a = 0., sum_b = 0., weights = 1.;
-                                for(std::size_t k = 0; k < w.pairs.size() && k < w.weights.size(); ++k)
-                                  if(w.pairs[k].is_central)
-                                  {
-                                    const Point& q = w.points[w.pairs[k].farther];
-                                    sum_a += w.weights[k] * (q.a - (s[0] * q.x + s[1] * q.y));
-                                    sum_b += w.weights[k] * (q.b - (s[1] * q.x + s[2] * q.y));
-                                    weights += w.weights[k];
-                                  }
+                                for(const std::size_t k : w.central)
+                                {
+                                  const Point& q = w.points[w.pairs[k].farther];
+                                  sum_a += w.weights[k] * (q.a - (s[0] * q.x + s[1] * q.y));
+                                  sum_b += w.weights[k] * (q.b - (s[1] * q.x + s[2] * q.y));
+                                  weights += w.weights[k];
+                                }
                                 result = (n + (sum_a / weights) * t1 + (sum_b / weights) * t2).normalized();
                                 return Curvature_estimate(m_surface.status(i));
                               })
