@@ -21,7 +21,7 @@
 #include <memory>
 #include <new>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include <malloc.h>
@@ -147,24 +147,10 @@ Use on_mesh(const Estimate& estimate, bool normals_are_given)
       });
 }
 
-using Item = std::pair<std::pair<Point_3, Vector_3>, Curvatures>;
-struct Point_map
-{
-  using key_type = Item;
-  using value_type = Point_3;
-  using reference = const Point_3&;
-  using category = boost::readable_property_map_tag;
-  friend reference get(Point_map, const Item& item) { return item.first.first; }
-};
-struct Normal_map
-{
-  using key_type = Item;
-  using value_type = Vector_3;
-  using reference = const Vector_3&;
-  using category = boost::readable_property_map_tag;
-  friend reference get(Normal_map, const Item& item) { return item.first.second; }
-};
-using Result_map = CGAL::Second_of_pair_property_map<Item>;
+using Item = std::tuple<Point_3, Vector_3, Curvatures>;
+using Point_map = CGAL::Nth_of_tuple_property_map<0, Item>;
+using Normal_map = CGAL::Nth_of_tuple_property_map<1, Item>;
+using Result_map = CGAL::Nth_of_tuple_property_map<2, Item>;
 
 template <typename Estimate>
 Use on_points(const Estimate& estimate)
@@ -177,7 +163,7 @@ Use on_points(const Estimate& estimate)
         for(std::size_t i = 0; i < s.points.size(); ++i)
         {
           const auto &p = s.points[i], &normal = s.exact[i].normal;
-          (*points)[i].first = {Point_3(p[0], p[1], p[2]), Vector_3(normal[0], normal[1], normal[2])};
+          (*points)[i] = {Point_3(p[0], p[1], p[2]), Vector_3(normal[0], normal[1], normal[2]), Curvatures()};
         }
         return [=]
         {
