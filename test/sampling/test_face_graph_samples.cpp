@@ -5,9 +5,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #ifdef CGAL_USE_OPENMESH
-#ifdef __GNUC__
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized" // OpenMesh grows its arrays by uninitialized vectors
-#endif
 #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
 
 #include <CGAL/boost/graph/graph_traits_PolyMesh_ArrayKernelT.h>
