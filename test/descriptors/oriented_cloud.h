@@ -5,6 +5,7 @@
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 
 #include <Eigen/Core>
@@ -56,7 +57,7 @@ inline Cloud torus_cloud(int around_ring, int around_tube)
   for(int i = 0; i < around_ring; ++i)
     for(int j = 0; j < around_tube; ++j)
     {
-      const double a = 2. * EIGEN_PI * i / around_ring, b = 2. * EIGEN_PI * j / around_tube;
+      const double a = 2. * CGAL_PI * i / around_ring, b = 2. * CGAL_PI * j / around_tube;
       const Vector3d outward(std::cos(a), std::sin(a), 0.);
       cloud.normals.push_back(std::cos(b) * outward + std::sin(b) * Vector3d::UnitZ());
       cloud.points.push_back(outward + .4 * cloud.normals.back());

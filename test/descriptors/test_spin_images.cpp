@@ -8,6 +8,7 @@
 #include <Shape_characteristics/descriptors/spin_image_descriptors.h>
 
 #include <CGAL/Polyhedron_3.h>
+#include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
@@ -30,7 +31,7 @@ using S = SC::Estimation_status;
 
 namespace {
 
-constexpr double pi = EIGEN_PI, radius = .4;
+constexpr double pi = CGAL_PI, radius = .4;
 
 SC::Descriptor_matrix spin_images(const Cloud& cloud,
                                   const SC::Neighborhood& neighborhood = SC::Neighborhood::ball(radius),

@@ -7,6 +7,7 @@
 #include <Shape_characteristics/head_features/detect_head_features.h>
 
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 
@@ -210,7 +211,7 @@ BOOST_AUTO_TEST_CASE(poses_of_cropped_heads)
       const Head head = SC::detect_head_features(given.mesh);
       BOOST_REQUIRE(head.is_head);
       const double pitch =
-          std::atan2(head.transformation.m(2, 1), head.transformation.m(2, 2)) * 180. / EIGEN_PI;
+          std::atan2(head.transformation.m(2, 1), head.transformation.m(2, 2)) * 180. / CGAL_PI;
       BOOST_TEST(std::abs(pitch) < 1.5);
       squares += pitch * pitch;
       for(const auto& [feature, name] : names)

@@ -3,6 +3,8 @@
 
 #include <Shape_characteristics/head_features/internal/pitch_of_features.h>
 
+#include <CGAL/number_type_config.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -18,7 +20,7 @@ using SC::internal::Mean_feature;
 
 namespace {
 
-constexpr double degree = EIGEN_PI / 180.;
+constexpr double degree = CGAL_PI / 180.;
 
 // all features of the mean face, moved
 Found_head_features found_at(const Eigen::Affine3d& motion)
