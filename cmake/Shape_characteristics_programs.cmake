@@ -5,12 +5,14 @@
 # Shape_characteristics_precompiled    precompiled/: headers that most programs include, and templates that most instantiate
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
+# shape_characteristics_use_precompiled_unoptimized()  a program that takes longer to optimize than to run
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
 # shape_characteristics_public_headers()   the headers that a user includes
 # shape_characteristics_include_each()     source files that include a header each
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
 option(SHAPE_CHARACTERISTICS_AVX2 "Compile for AVX2 and FMA, if this machine has them" OFF)
+option(SHAPE_CHARACTERISTICS_UNOPTIMIZED "Don't optimize programs that take longer to optimize than to run" OFF)
 set(SHAPE_CHARACTERISTICS_SANITIZERS "" CACHE STRING "What to sanitize: address,undefined or thread")
 
 add_library(Shape_characteristics_development INTERFACE)
@@ -92,6 +94,13 @@ else()
   foreach(list IN ITEMS decompositions other_libraries)
     shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/${list}.cpp)
   endforeach()
+  # a header that is precompiled with optimization serves no source without it
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled/unoptimized.cpp CONTENT "")
+  add_library(Shape_characteristics_unoptimized OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled/unoptimized.cpp)
+  target_compile_options(Shape_characteristics_unoptimized PRIVATE -O0)
+  target_include_directories(Shape_characteristics_unoptimized PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled)
+  target_precompile_headers(Shape_characteristics_unoptimized PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
+  target_link_libraries(Shape_characteristics_unoptimized PRIVATE Shape_characteristics_development)
 endif()
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
@@ -121,6 +130,17 @@ endfunction()
 function(shape_characteristics_use_precompiled target)
   target_precompile_headers(${target} REUSE_FROM Shape_characteristics_precompiled)
   target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
+endfunction()
+
+# As well, but without optimization where that is asked for (SHAPE_CHARACTERISTICS_UNOPTIMIZED).
+function(shape_characteristics_use_precompiled_unoptimized target)
+  if(SHAPE_CHARACTERISTICS_UNOPTIMIZED AND TARGET Shape_characteristics_unoptimized)
+    target_compile_options(${target} PRIVATE -O0)
+    target_precompile_headers(${target} REUSE_FROM Shape_characteristics_unoptimized)
+    target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
+  else()
+    shape_characteristics_use_precompiled(${target})
+  endif()
 endfunction()
 
 # Adds the program `target` from `source`, put below the build folder where its source is below the project's.
