@@ -5,7 +5,6 @@
 # Shape_characteristics_precompiled    precompiled/: headers that most programs include, and templates that most instantiate
 # shape_characteristics_add_program()  one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
-# shape_characteristics_use_precompiled_unoptimized()  a program that takes longer to optimize than to run
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
 # shape_characteristics_public_headers()   the headers that a user includes
 # shape_characteristics_include_each()     source files that include a header each
@@ -83,6 +82,7 @@ if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
   # then programs know nothing of the lists of templates
   add_library(Shape_characteristics_precompiled INTERFACE)
   target_link_libraries(Shape_characteristics_precompiled INTERFACE Shape_characteristics_development)
+  add_library(Shape_characteristics_unoptimized ALIAS Shape_characteristics_precompiled)
 else()
   file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
   shape_characteristics_include_each(sources ${CMAKE_CURRENT_BINARY_DIR}/precompiled
@@ -126,21 +126,16 @@ function(shape_characteristics_includes result source header)
   endif()
 endfunction()
 
-# Compiles `target` with what is precompiled, and links it.
+# Compiles `target` with what is precompiled, and links it. UNOPTIMIZED: it takes longer to optimize than to run, and isn't, where that
+# is asked for.
 function(shape_characteristics_use_precompiled target)
-  target_precompile_headers(${target} REUSE_FROM Shape_characteristics_precompiled)
-  target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
-endfunction()
-
-# As well, but without optimization where that is asked for (SHAPE_CHARACTERISTICS_UNOPTIMIZED).
-function(shape_characteristics_use_precompiled_unoptimized target)
-  if(SHAPE_CHARACTERISTICS_UNOPTIMIZED AND TARGET Shape_characteristics_unoptimized)
+  set(headers Shape_characteristics_precompiled)
+  if(SHAPE_CHARACTERISTICS_UNOPTIMIZED AND "UNOPTIMIZED" IN_LIST ARGN)
     target_compile_options(${target} PRIVATE -O0)
-    target_precompile_headers(${target} REUSE_FROM Shape_characteristics_unoptimized)
-    target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
-  else()
-    shape_characteristics_use_precompiled(${target})
+    set(headers Shape_characteristics_unoptimized)
   endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
+  target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
 endfunction()
 
 # Adds the program `target` from `source`, put below the build folder where its source is below the project's.
