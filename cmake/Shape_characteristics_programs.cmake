@@ -11,7 +11,6 @@
 
 option(SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS "Fail on warnings of the compiler" OFF)
 option(SHAPE_CHARACTERISTICS_AVX2 "Compile for AVX2 and FMA, if this machine has them" OFF)
-option(SHAPE_CHARACTERISTICS_UNOPTIMIZED "Don't optimize programs that take longer to optimize than to run" OFF)
 set(SHAPE_CHARACTERISTICS_SANITIZERS "" CACHE STRING "What to sanitize: address,undefined or thread")
 
 add_library(Shape_characteristics_development INTERFACE)
@@ -82,7 +81,6 @@ if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
   # then programs know nothing of the lists of templates
   add_library(Shape_characteristics_precompiled INTERFACE)
   target_link_libraries(Shape_characteristics_precompiled INTERFACE Shape_characteristics_development)
-  add_library(Shape_characteristics_unoptimized ALIAS Shape_characteristics_precompiled)
 else()
   file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
   shape_characteristics_include_each(sources ${CMAKE_CURRENT_BINARY_DIR}/precompiled
@@ -94,13 +92,6 @@ else()
   foreach(list IN ITEMS decompositions other_libraries)
     shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/${list}.cpp)
   endforeach()
-  # a header that is precompiled with optimization serves no source without it
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled/unoptimized.cpp CONTENT "")
-  add_library(Shape_characteristics_unoptimized OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled/unoptimized.cpp)
-  target_compile_options(Shape_characteristics_unoptimized PRIVATE -O0)
-  target_include_directories(Shape_characteristics_unoptimized PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled)
-  target_precompile_headers(Shape_characteristics_unoptimized PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
-  target_link_libraries(Shape_characteristics_unoptimized PRIVATE Shape_characteristics_development)
 endif()
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have
@@ -126,15 +117,9 @@ function(shape_characteristics_includes result source header)
   endif()
 endfunction()
 
-# Compiles `target` with what is precompiled, and links it. UNOPTIMIZED: it takes longer to optimize than to run, and isn't, where that
-# is asked for.
+# Compiles `target` with what is precompiled, and links it.
 function(shape_characteristics_use_precompiled target)
-  set(headers Shape_characteristics_precompiled)
-  if(SHAPE_CHARACTERISTICS_UNOPTIMIZED AND "UNOPTIMIZED" IN_LIST ARGN)
-    target_compile_options(${target} PRIVATE -O0)
-    set(headers Shape_characteristics_unoptimized)
-  endif()
-  target_precompile_headers(${target} REUSE_FROM ${headers})
+  target_precompile_headers(${target} REUSE_FROM Shape_characteristics_precompiled)
   target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
 endfunction()
 

@@ -44,11 +44,11 @@ build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--tar
 run_tests() { ctest --preset "$1" --parallel "$(parallel_jobs)"; }
 
 # As many as there are processors, and so many more, as far as memory goes: a compiler that reads CGAL and Eigen takes up to
-# 2 GB.
+# 2.5 GB.
 parallel_jobs()
 {
   local jobs memory
   jobs=$(( $(nproc) + ${1:-0} ))
-  memory=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 2500000) }' /proc/meminfo)
   echo $(( memory < 1 ? 1 : memory < jobs ? memory : jobs ))
 }
