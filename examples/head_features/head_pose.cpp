@@ -34,17 +34,12 @@ using Pose = SC::Head_pose<Kernel>;
 
 namespace {
 
-const char* name(SC::Head_verdict verdict)
+// and why it isn't a head for sure
+std::string verdict(const Pose& pose)
 {
-  switch(verdict)
-  {
-  case SC::Head_verdict::HEAD:
-    return "a head";
-  case SC::Head_verdict::UNCERTAIN:
-    return "perhaps a head";
-  default:
-    return "not a head";
-  }
+  const std::string verdict = SC::to_string(pose.verdict);
+  return pose.verdict == SC::Head_verdict::HEAD ? verdict
+                                                : verdict + " (" + SC::to_string(pose.obstacle) + ")";
 }
 
 support::Drawable
@@ -87,7 +82,7 @@ int run(int argc, char* argv[])
     throw std::runtime_error("not a mesh: " + file);
 
   const Pose pose = SC::estimate_head_pose(mesh, SC::parameters::callback(support::Progress_bar("pose")));
-  std::cout << name(pose.verdict) << ", confidence " << pose.confidence << '\n'
+  std::cout << verdict(pose) << ", confidence " << pose.confidence << '\n'
             << "to the frame of the head:\n"
             << pose.transformation << '\n'
             << "tip of the nose: " << pose.nose_tip << '\n';
@@ -109,7 +104,7 @@ int run(int argc, char* argv[])
   options.range = {0., 1.};
   support::Contact_sheet sheet;
   sheet.add(renderer.render(drawing(mesh, pose, as_it_is), options), "as it is");
-  sheet.add(renderer.render(aligned, options), name(pose.verdict));
+  sheet.add(renderer.render(aligned, options), verdict(pose));
   sheet.add(renderer.render(drawing(mesh, pose, to_the_side * pose.transformation), options),
             "from the side");
   support::write_png(picture, sheet.image(3));

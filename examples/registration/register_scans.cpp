@@ -105,17 +105,13 @@ both(const Scan& source, const Scan& target, const CGAL::Aff_transformation_3<Ke
   return shape;
 }
 
-const char* name(SC::Registration_verdict verdict)
+// and why it isn't a success
+std::string verdict(const Result& result)
 {
-  switch(verdict)
-  {
-  case SC::Registration_verdict::SUCCESS:
-    return "registered";
-  case SC::Registration_verdict::AMBIGUOUS:
-    return "ambiguous";
-  default:
-    return "failed";
-  }
+  const std::string verdict = SC::to_string(result.verdict);
+  return result.verdict == SC::Registration_verdict::SUCCESS
+             ? verdict
+             : verdict + " (" + SC::to_string(result.obstacle) + ")";
 }
 
 int run(int argc, char* argv[])
@@ -137,7 +133,7 @@ int run(int argc, char* argv[])
   const Scan source = read(files[0]), target = read(files[1]);
 
   const Result result = registered(source, target);
-  std::cout << name(result.verdict) << ", confidence " << result.confidence << ": "
+  std::cout << verdict(result) << ", confidence " << result.confidence << ": "
             << 100. * result.quality.overlap << " % of the points have the other scan near, and "
             << 100. * result.quality.agreement << " % of these meet it ("
             << 100. * result.quality.expected_agreement << " % would without any error)\n"
@@ -150,7 +146,7 @@ int run(int argc, char* argv[])
   const support::Drawable before = both(source, target, CGAL::Aff_transformation_3<Kernel>(CGAL::IDENTITY)),
                           after = both(source, target, result.transformation);
   sheet.add(renderer.render(before, options), "before");
-  sheet.add(renderer.render(after, options), std::string("after: ") + name(result.verdict));
+  sheet.add(renderer.render(after, options), "after: " + verdict(result));
   support::write_png(picture, sheet.image(2));
 
   support::Ply_file file(after.points);

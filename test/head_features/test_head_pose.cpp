@@ -11,6 +11,7 @@
 #include <CGAL/number_type_config.h>
 
 #include "analytic_surfaces.h"
+#include "check_names.h"
 
 #include "../../benchmark/support/Random.h"
 
@@ -222,6 +223,12 @@ BOOST_AUTO_TEST_CASE(heads_with_known_poses)
     BOOST_TEST(std::abs(error[1]) < 1., name);
     BOOST_TEST(std::abs(error[2]) < 1., name);
   }
+}
+
+BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_a_name)
+{
+  test_support::check_names(Head_verdict::NOT_A_HEAD);
+  test_support::check_names(Head_obstacle::WRONG_WAY_UP);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -7,6 +7,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "check_names.h"
 
 #include "../../benchmark/support/Random.h"
 
@@ -231,6 +232,11 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
              c = quad.add_vertex(Point(1, 1, 0)), d = quad.add_vertex(Point(0, 1, 0));
   quad.add_face(a, b, c, d);
   BOOST_CHECK_THROW(SC::detect_symmetry_plane(quad), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(every_verdict_has_a_name)
+{
+  test_support::check_names(Symmetry_verdict::SEVERAL);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

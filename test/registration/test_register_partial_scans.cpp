@@ -10,6 +10,8 @@
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
+#include "check_names.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -547,6 +549,12 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
   BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
   BOOST_TEST(advancement.size() == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_a_name)
+{
+  test_support::check_names(Registration_verdict::FAILED);
+  test_support::check_names(Registration_obstacle::SEVERAL_MOTIONS);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,22 @@ enum class Head_verdict : unsigned char
 };
 
 /// \ingroup PkgShapeCharacteristicsHeadFeatures
+/// returns the name of `verdict` as it is written in the program, for tables and messages.
+constexpr const char* to_string(Head_verdict verdict) noexcept
+{
+  switch(verdict)
+  {
+  case Head_verdict::HEAD:
+    return "HEAD";
+  case Head_verdict::UNCERTAIN:
+    return "UNCERTAIN";
+  case Head_verdict::NOT_A_HEAD:
+    return "NOT_A_HEAD";
+  }
+  return "";
+}
+
+/// \ingroup PkgShapeCharacteristicsHeadFeatures
 /// says why a shape was not taken for a head, or not with certainty
 enum class Head_obstacle : unsigned char
 {
@@ -26,6 +42,34 @@ enum class Head_obstacle : unsigned char
   NO_SYMMETRY,        ///< the sides of the face aren't mirror images of each other
   WRONG_WAY_UP        ///< the top isn't where `upward_direction` says
 };
+
+/// \ingroup PkgShapeCharacteristicsHeadFeatures
+/// returns the name of `obstacle` as it is written in the program, for tables and messages.
+constexpr const char* to_string(Head_obstacle obstacle) noexcept
+{
+  switch(obstacle)
+  {
+  case Head_obstacle::NONE:
+    return "NONE";
+  case Head_obstacle::FEW_SAMPLES:
+    return "FEW_SAMPLES";
+  case Head_obstacle::CANCELLED:
+    return "CANCELLED";
+  case Head_obstacle::INSIDE_OUT:
+    return "INSIDE_OUT";
+  case Head_obstacle::NO_NOSE:
+    return "NO_NOSE";
+  case Head_obstacle::SHAPE_DISAGREES:
+    return "SHAPE_DISAGREES";
+  case Head_obstacle::FACE_IS_INCOMPLETE:
+    return "FACE_IS_INCOMPLETE";
+  case Head_obstacle::NO_SYMMETRY:
+    return "NO_SYMMETRY";
+  case Head_obstacle::WRONG_WAY_UP:
+    return "WRONG_WAY_UP";
+  }
+  return "";
+}
 
 } // namespace Shape_characteristics
 

@@ -14,6 +14,22 @@ enum class Symmetry_verdict : unsigned char
   SEVERAL ///< several, almost equally good ones, as a cube, a sphere or a vase has them: which one is meant, the shape can't tell
 };
 
+/// \ingroup PkgShapeCharacteristicsHeadFeatures
+/// returns the name of `verdict` as it is written in the program, for tables and messages.
+constexpr const char* to_string(Symmetry_verdict verdict) noexcept
+{
+  switch(verdict)
+  {
+  case Symmetry_verdict::NONE:
+    return "NONE";
+  case Symmetry_verdict::ONE:
+    return "ONE";
+  case Symmetry_verdict::SEVERAL:
+    return "SEVERAL";
+  }
+  return "";
+}
+
 /*!
   \ingroup PkgShapeCharacteristicsHeadFeatures
 

@@ -15,6 +15,22 @@ enum class Registration_verdict : unsigned char
   FAILED     ///< none was found
 };
 
+/// \ingroup PkgShapeCharacteristicsRegistration
+/// returns the name of `verdict` as it is written in the program, for tables and messages.
+constexpr const char* to_string(Registration_verdict verdict) noexcept
+{
+  switch(verdict)
+  {
+  case Registration_verdict::SUCCESS:
+    return "SUCCESS";
+  case Registration_verdict::AMBIGUOUS:
+    return "AMBIGUOUS";
+  case Registration_verdict::FAILED:
+    return "FAILED";
+  }
+  return "";
+}
+
 /*!
   \ingroup PkgShapeCharacteristicsRegistration
 
@@ -32,6 +48,34 @@ enum class Registration_obstacle : unsigned char
   SLIDING,        ///< the surfaces can be moved along each other: planes, spheres, cylinders
   SEVERAL_MOTIONS ///< the object can't be told from itself after a rotation
 };
+
+/// \ingroup PkgShapeCharacteristicsRegistration
+/// returns the name of `obstacle` as it is written in the program, for tables and messages.
+constexpr const char* to_string(Registration_obstacle obstacle) noexcept
+{
+  switch(obstacle)
+  {
+  case Registration_obstacle::NONE:
+    return "NONE";
+  case Registration_obstacle::FEW_SAMPLES:
+    return "FEW_SAMPLES";
+  case Registration_obstacle::CANCELLED:
+    return "CANCELLED";
+  case Registration_obstacle::FEW_CORRESPONDENCES:
+    return "FEW_CORRESPONDENCES";
+  case Registration_obstacle::SURFACES_DISAGREE:
+    return "SURFACES_DISAGREE";
+  case Registration_obstacle::DIFFERENT_UNITS:
+    return "DIFFERENT_UNITS";
+  case Registration_obstacle::REFLECTION:
+    return "REFLECTION";
+  case Registration_obstacle::SLIDING:
+    return "SLIDING";
+  case Registration_obstacle::SEVERAL_MOTIONS:
+    return "SEVERAL_MOTIONS";
+  }
+  return "";
+}
 
 } // namespace Shape_characteristics
 
