@@ -5,7 +5,6 @@
 #include <Shape_characteristics/internal/tangent_basis.h>
 
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/number_type_config.h>
@@ -109,7 +108,7 @@ private:
   using Kernel = CGAL::Simple_cartesian<double>;
   using Point = Kernel::Point_3;
   using Triangles = std::vector<Kernel::Triangle_3>;
-  using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+  using Primitive = AABB_triangle_primitive_3<Kernel, Triangles::const_iterator>;
   using Tree = CGAL::AABB_tree<AABB_traits_3<Kernel, Primitive> >;
 
   template <typename Vector>
