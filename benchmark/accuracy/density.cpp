@@ -18,6 +18,7 @@
 #endif
 
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
+#include <Shape_characteristics/internal/CGAL_compatibility.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -174,9 +175,8 @@ void write_pictures(const std::string& file,
   for(const Estimator& e : compared)
   {
     const Errors errors = measure(e, sample, normals, true);
-    const Curvature_map curvatures =
-        sample.mesh.property_map<Vertex, SC::Principal_curvatures_and_directions<Kernel>>("v:curvatures")
-            .first;
+    const Curvature_map curvatures = *SC::internal::to_optional(
+        sample.mesh.property_map<Vertex, SC::Principal_curvatures_and_directions<Kernel>>("v:curvatures"));
     for(const Vertex v : vertices(sample.mesh))
       shape.scalars[v] = .5 * (curvatures[v].min_curvature + curvatures[v].max_curvature);
     sheet.add(renderer.render(shape, options), e.label() + "\nerror " + to_text(errors.all.mae()));

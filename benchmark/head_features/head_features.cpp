@@ -46,7 +46,8 @@ std::size_t number_found(const Features& features)
 Shape_row judged(const std::string& name, const Mesh& mesh, const Features* truth = nullptr)
 {
   const Verdict v = judge(mesh);
-  Shape_row row{name, v.verdict, v.obstacle, v.confidence, number_found(v.features), ""};
+  Shape_row row{name,         to_string(v.verdict),     to_string(v.obstacle),
+                v.confidence, number_found(v.features), ""};
   if(truth && v.features.is_head)
   {
     std::vector<double> errors;
@@ -154,8 +155,8 @@ std::vector<Shape_row> shapes(const std::vector<Head_file>& files, bool is_quick
         p.position = turned(p.position);
       add("upside-down bust, any pose", head.mesh, &head.truth);
       const Features aligned = detect(head.mesh, "aligned");
-      rows.push_back({"upside-down bust, said to be aligned", aligned.is_head ? "head" : "not a head", "", 0.,
-                      number_found(aligned), ""});
+      rows.push_back({"upside-down bust, said to be aligned", to_string(aligned.verdict),
+                      to_string(aligned.obstacle), 0., number_found(aligned), ""});
       break;
     }
   return rows;

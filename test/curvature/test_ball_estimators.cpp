@@ -6,7 +6,7 @@
 #include <Shape_characteristics/curvature/hildebrandt_polthier_curvatures.h>
 #include <Shape_characteristics/curvature/normal_cycle_curvatures.h>
 
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_type_config.h>
 
 #include "plain_algebra.h"

@@ -12,7 +12,7 @@
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/generators.h>
 
 #include <cmath>
 #include <cstddef>

@@ -4,7 +4,7 @@
 
 #include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_type_config.h>
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
 #include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 

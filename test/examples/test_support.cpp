@@ -12,6 +12,8 @@
 #include "../../examples/support/local_spacing.h"
 #include "../../examples/support/picture.h"
 
+#include <Shape_characteristics/internal/CGAL_compatibility.h>
+
 #include <CGAL/IO/PLY.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
@@ -626,18 +628,19 @@ BOOST_AUTO_TEST_CASE(ply_is_read_back_by_cgal)
     BOOST_CHECK(comments.find("written by a test") != std::string::npos);
     BOOST_REQUIRE_EQUAL(mesh.number_of_vertices(), ball.points.size());
     BOOST_CHECK_EQUAL(mesh.number_of_faces(), triangles.size());
-    const auto mean = mesh.property_map<Mesh::Vertex_index, double>("v:mean_curvature");
-    const auto direction = mesh.property_map<Mesh::Vertex_index, double>("v:max_direction_z");
-    const auto flags = mesh.property_map<Mesh::Vertex_index, std::uint8_t>("v:status");
-    BOOST_REQUIRE(mean.second && direction.second && flags.second);
+    using Shape_characteristics::internal::to_optional;
+    const auto mean = to_optional(mesh.property_map<Mesh::Vertex_index, double>("v:mean_curvature"));
+    const auto direction = to_optional(mesh.property_map<Mesh::Vertex_index, double>("v:max_direction_z"));
+    const auto flags = to_optional(mesh.property_map<Mesh::Vertex_index, std::uint8_t>("v:status"));
+    BOOST_REQUIRE((mean && direction && flags));
     for(Mesh::Vertex_index v : mesh.vertices())
     {
       const std::size_t i = std::size_t(v);
       for(int c = 0; c < 3; ++c)
         BOOST_CHECK_EQUAL(mesh.point(v)[c], ball.points[i][std::size_t(c)]);
-      BOOST_CHECK(mean.first[v] == values[i] || (std::isnan(mean.first[v]) && std::isnan(values[i])));
-      BOOST_CHECK_EQUAL(direction.first[v], ball.normals[i][2]);
-      BOOST_CHECK_EQUAL(int(flags.first[v]), int(status[i]));
+      BOOST_CHECK((*mean)[v] == values[i] || (std::isnan((*mean)[v]) && std::isnan(values[i])));
+      BOOST_CHECK_EQUAL((*direction)[v], ball.normals[i][2]);
+      BOOST_CHECK_EQUAL(int((*flags)[v]), int(status[i]));
     }
     std::size_t f = 0;
     for(Mesh::Face_index face : mesh.faces())

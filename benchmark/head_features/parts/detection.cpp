@@ -25,44 +25,6 @@ auto thesis()
       .number_of_ear_vertices(100);
 }
 
-std::string name(SC::Head_verdict verdict)
-{
-  switch(verdict)
-  {
-  case SC::Head_verdict::HEAD:
-    return "head";
-  case SC::Head_verdict::UNCERTAIN:
-    return "uncertain";
-  default:
-    return "not a head";
-  }
-}
-
-std::string name(SC::Head_obstacle obstacle)
-{
-  switch(obstacle)
-  {
-  case SC::Head_obstacle::NONE:
-    return "";
-  case SC::Head_obstacle::FEW_SAMPLES:
-    return "few samples";
-  case SC::Head_obstacle::INSIDE_OUT:
-    return "inside out";
-  case SC::Head_obstacle::NO_NOSE:
-    return "no nose";
-  case SC::Head_obstacle::SHAPE_DISAGREES:
-    return "the shape disagrees";
-  case SC::Head_obstacle::FACE_IS_INCOMPLETE:
-    return "the face is incomplete";
-  case SC::Head_obstacle::NO_SYMMETRY:
-    return "no symmetry";
-  case SC::Head_obstacle::WRONG_WAY_UP:
-    return "wrong way up";
-  default:
-    return "cancelled";
-  }
-}
-
 } // namespace
 
 std::vector<std::string> all_modes()
@@ -96,7 +58,7 @@ Features detect(const Mesh& mesh, const std::string& mode)
 Verdict judge(const Mesh& mesh)
 {
   const auto pose = SC::estimate_head_pose(mesh);
-  return {name(pose.verdict), name(pose.obstacle), pose.confidence,
+  return {pose.verdict, pose.obstacle, pose.confidence,
           SC::detect_head_features(mesh, params::head_pose(pose))};
 }
 

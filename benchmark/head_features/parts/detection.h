@@ -3,6 +3,8 @@
 
 #include "Head.h"
 
+#include <Shape_characteristics/head_features/Head_verdict.h>
+
 #include <string>
 #include <vector>
 
@@ -24,10 +26,10 @@ Features detect(const Mesh& mesh, const std::string& mode);
 /// What is said of a shape.
 struct Verdict
 {
-  std::string verdict;  ///< "head", "uncertain", "not a head"
-  std::string obstacle; ///< why
-  double confidence;    ///< of the pose
-  Features features;    ///< by mode `default`
+  Shape_characteristics::Head_verdict verdict;
+  Shape_characteristics::Head_obstacle obstacle;
+  double confidence; ///< of the pose
+  Features features; ///< by mode `default`
 };
 
 Verdict judge(const Mesh& mesh);

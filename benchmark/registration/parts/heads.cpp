@@ -11,7 +11,6 @@
 
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Count_stop_predicate.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -103,7 +102,10 @@ Scan resampled(Mesh mesh, std::size_t faces, Random& random)
   const Policies policies(mesh);
   // each edge that is collapsed takes two faces, or one on the border
   const std::size_t edges = faces * 3 / 2;
-  SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(edges),
+  // CGAL's own predicate has other names in other versions
+  const auto is_coarse = [edges](const auto& /*cost*/, const auto& /*edge*/, std::size_t /*at_first*/,
+                                 std::size_t now) { return now < edges; };
+  SMS::edge_collapse(mesh, is_coarse,
                      CGAL::parameters::get_cost(policies.get_cost()).get_placement(policies.get_placement()));
   mesh.collect_garbage();
   return to_scan(mesh);
