@@ -127,9 +127,9 @@ public:
         const Vector direction = d / length, beyond = ball.doubled_area(e.other);
         if(!(beyond.squaredNorm() > 0.))
           continue;
-        // positive where the normals spread: the triangle that runs along the edge is on its left
-        const double sine =
-            direction.dot(e.is_forward ? doubled_area.cross(beyond) : beyond.cross(doubled_area));
+        // Positive where the normals spread: the triangle that runs along the edge is on its left. (Fused multiplications don't
+        // negate a product of vectors that are exchanged.)
+        const double sine = direction.dot(doubled_area.cross(beyond)) * (e.is_forward ? 1. : -1.);
         const double angle = std::atan2(sine, doubled_area.dot(beyond));
         const double weight = angle * length * (end - begin);
         const double u = direction.dot(frame.t1), v = direction.dot(frame.t2);
