@@ -34,12 +34,13 @@ using Pose = SC::Head_pose<Kernel>;
 
 namespace {
 
-// and why it isn't a head for sure
+// the verdict, and why it isn't `HEAD`
 std::string verdict(const Pose& pose)
 {
-  const std::string verdict = SC::to_string(pose.verdict);
-  return pose.verdict == SC::Head_verdict::HEAD ? verdict
-                                                : verdict + " (" + SC::to_string(pose.obstacle) + ")";
+  const std::string name = SC::to_string(pose.verdict);
+  if(pose.verdict == SC::Head_verdict::HEAD)
+    return name;
+  return name + " (" + SC::to_string(pose.obstacle) + ")";
 }
 
 support::Drawable

@@ -105,13 +105,13 @@ both(const Scan& source, const Scan& target, const CGAL::Aff_transformation_3<Ke
   return shape;
 }
 
-// and why it isn't a success
+// the verdict, and why it isn't `SUCCESS`
 std::string verdict(const Result& result)
 {
-  const std::string verdict = SC::to_string(result.verdict);
-  return result.verdict == SC::Registration_verdict::SUCCESS
-             ? verdict
-             : verdict + " (" + SC::to_string(result.obstacle) + ")";
+  const std::string name = SC::to_string(result.verdict);
+  if(result.verdict == SC::Registration_verdict::SUCCESS)
+    return name;
+  return name + " (" + SC::to_string(result.obstacle) + ")";
 }
 
 int run(int argc, char* argv[])

@@ -121,9 +121,11 @@ BOOST_AUTO_TEST_CASE(class_tolerances)
     BOOST_CHECK_THROW(SC::surface_class(curvatures(0, 1), 0, wrong), std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(class_names_differ)
+BOOST_AUTO_TEST_CASE(every_class_has_its_name)
 {
-  test_support::check_names(SC::Surface_class::UNDEFINED);
+  test_support::check_names<SC::Surface_class>({"CONCAVE_ELLIPSOID", "CONCAVE_CYLINDER", "PLANE",
+                                                "HYPERBOLOID", "CONVEX_CYLINDER", "CONVEX_ELLIPSOID",
+                                                "UNDEFINED"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -225,10 +225,12 @@ BOOST_AUTO_TEST_CASE(heads_with_known_poses)
   }
 }
 
-BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_a_name)
+BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_its_name)
 {
-  test_support::check_names(Head_verdict::NOT_A_HEAD);
-  test_support::check_names(Head_obstacle::WRONG_WAY_UP);
+  test_support::check_names<Head_verdict>({"HEAD", "UNCERTAIN", "NOT_A_HEAD"});
+  test_support::check_names<Head_obstacle>({"NONE", "FEW_SAMPLES", "CANCELLED", "INSIDE_OUT", "NO_NOSE",
+                                            "SHAPE_DISAGREES", "FACE_IS_INCOMPLETE", "NO_SYMMETRY",
+                                            "WRONG_WAY_UP"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -234,9 +234,9 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_CHECK_THROW(SC::detect_symmetry_plane(quad), std::invalid_argument);
 }
 
-BOOST_AUTO_TEST_CASE(every_verdict_has_a_name)
+BOOST_AUTO_TEST_CASE(every_verdict_has_its_name)
 {
-  test_support::check_names(Symmetry_verdict::SEVERAL);
+  test_support::check_names<Symmetry_verdict>({"NONE", "ONE", "SEVERAL"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -551,10 +551,12 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
   BOOST_TEST(advancement.size() == 1u);
 }
 
-BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_a_name)
+BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_its_name)
 {
-  test_support::check_names(Registration_verdict::FAILED);
-  test_support::check_names(Registration_obstacle::SEVERAL_MOTIONS);
+  test_support::check_names<Registration_verdict>({"SUCCESS", "AMBIGUOUS", "FAILED"});
+  test_support::check_names<Registration_obstacle>({"NONE", "FEW_SAMPLES", "CANCELLED", "FEW_CORRESPONDENCES",
+                                                    "SURFACES_DISAGREE", "DIFFERENT_UNITS", "REFLECTION",
+                                                    "SLIDING", "SEVERAL_MOTIONS"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()
