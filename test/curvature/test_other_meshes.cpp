@@ -20,6 +20,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Linear_cell_complex_for_bgl_combinatorial_map_helper.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/graph_traits_Linear_cell_complex_for_combinatorial_map.h>
 
@@ -84,6 +85,7 @@ using Linear_cell_complex = CGAL::Linear_cell_complex_for_bgl_combinatorial_map_
     3,
     CGAL::Linear_cell_complex_traits<3, Kernel> >::type;
 using Exact_mesh = CGAL::Surface_mesh<CGAL::Exact_predicates_exact_constructions_kernel::Point_3>;
+using Float_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>;
 
 // whether `mesh`, with the vertices of `s` in the same order, has the curvatures of a `Surface_mesh`, to the last bit
 template <typename Mesh>
@@ -156,6 +158,17 @@ BOOST_AUTO_TEST_CASE(exact_kernel)
 {
   for(const Analytic_surface& s : typical_surfaces())
     check_same_bits(test_support::build_mesh<Exact_mesh>(s), s);
+}
+
+// coordinates in single precision: nothing is computed in it
+BOOST_AUTO_TEST_CASE(float_kernel)
+{
+  for(Analytic_surface s : typical_surfaces())
+  {
+    for(auto& p : s.points)
+      p = {double(float(p.x)), double(float(p.y)), double(float(p.z))};
+    check_same_bits(test_support::build_mesh<Float_mesh>(s), s);
+  }
 }
 
 // the border of the part is one to the estimators
