@@ -6,16 +6,10 @@
 // Memory is what the process has at its peak beyond what it had before the call, when the scans were there.
 #include "Command_line.h"
 #include "parts/heads.h"
+#include "parts/register_scans.h"
 #include "parts/splits.h"
 
-#include <Shape_characteristics/Named_function_parameters.h>
-#include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/registration/Registration_verdict.h>
-#include <Shape_characteristics/registration/register_partial_scans.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
-#include <CGAL/tags.h>
 
 #include <sys/resource.h>
 
@@ -27,7 +21,6 @@
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -35,20 +28,6 @@ namespace {
 namespace SC = Shape_characteristics;
 using namespace registration;
 using benchmark_support::Command_line;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_and_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-
-std::vector<Point_and_normal> as_range(const Scan& scan)
-{
-  std::vector<Point_and_normal> range;
-  range.reserve(scan.points.size());
-  for(std::size_t i = 0; i < scan.points.size(); ++i)
-  {
-    const Eigen::Vector3d &p = scan.points[i], &n = scan.normals[i];
-    range.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
-  }
-  return range;
-}
 
 double peak_memory_in_bytes()
 {
@@ -77,24 +56,19 @@ int run(const Command_line& arguments)
   {
     const Split parts = split(random_points(head.fine, points * 3 / 2, seed),
                               random_points(head.fine, points * 3 / 2, seed + 1), Split_protocol(), seed);
-    const std::vector<Point_and_normal> source = as_range(parts.source), target = as_range(parts.target);
+    const Point_range source = to_range(parts.source), target = to_range(parts.target);
     const double memory_before = peak_memory_in_bytes();
-    const auto maps = SC::parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal>())
-                          .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal>());
     const std::clock_t start = std::clock(); // of the processor: others may be at work
-    const SC::Registration_result<Kernel> found =
-        SC::register_partial_scans<CGAL::Sequential_tag>(source, target, maps, maps);
+    const Registration_result found = register_scans(source, target);
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
     const double memory = peak_memory_in_bytes();
 
-    const Eigen::Isometry3d motion(SC::internal::affine_to_eigen(found.transformation).matrix());
-    const double error = registration_error(parts, motion);
-    const bool is_registered = found.verdict == SC::Registration_verdict::SUCCESS;
-    is_right = is_right && is_registered && error < .1;
+    const double error = registration_error(parts, motion(found));
+    is_right = is_right && found.verdict == SC::Registration_verdict::SUCCESS && error < .1;
     const double n = double(source.size() + target.size());
     std::cout << "| " << source.size() << " | " << target.size() << " | " << std::setprecision(4) << seconds
               << " | " << 1e6 * seconds / n << " | " << 1e-6 * memory << " | " << (memory - memory_before) / n
-              << " | " << error << " | " << (is_registered ? "success" : "none") << " |" << std::endl;
+              << " | " << error << " | " << to_string(found.verdict) << " |" << std::endl;
   }
   return arguments.has("check") && !is_right ? EXIT_FAILURE : EXIT_SUCCESS;
 }

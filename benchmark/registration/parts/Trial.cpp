@@ -11,12 +11,14 @@ namespace {
 
 const char* const header =
     "surface,protocol,variant,neighbors,head,number,error,overlap,mirrored,agreement,near,expected,"
-    "correlation,verdict,describe,match,solve";
+    "correlation,registration_verdict,describe,match,solve";
 
 } // namespace
 
 Trials::Trials(const std::string& file) : m_file(file)
 {
+  if(file.empty())
+    return;
   std::ifstream in(file);
   std::string line;
   if(!std::getline(in, line))
@@ -57,6 +59,9 @@ Trials::Trials(const std::string& file) : m_file(file)
 
 void Trials::add(const Trial_id& id, const Trial_result& result)
 {
+  m_results[id] = result;
+  if(m_file.empty())
+    return;
   std::ofstream out(m_file, std::ios::app);
   out << id.surface << ',' << id.protocol << ',' << id.variant << ',' << id.neighbors << ',' << id.head << ','
       << id.number << ',' << std::setprecision(6) << result.error << ',' << result.overlap << ','
@@ -65,7 +70,6 @@ void Trials::add(const Trial_id& id, const Trial_result& result)
       << result.solve << '\n';
   if(!out)
     throw std::runtime_error("can't write " + m_file);
-  m_results[id] = result;
 }
 
 double Share::bound(double side) const

@@ -32,14 +32,15 @@ struct Trial_result
   double near = 0.;                             ///< likewise: overlap
   double expected = 0.;                         ///< likewise: expected agreement
   double correlation = 0.;                      ///< likewise: of curvatures
-  std::string verdict = "-";                    ///< of variants that have one
+  std::string verdict = "-";                    ///< Registration_verdict, of variants that have one
   double describe = 0., match = 0., solve = 0.; ///< seconds
 
   double seconds() const { return describe + match + solve; }
   bool is_correct() const { return error < .1; }
 };
 
-/// The trials done so far. Each is appended to a file as it ends, and read from it the next time.
+/// The trials done so far. Each is appended to a file as it ends, and read from it the next time, unless the name of the file
+/// is empty.
 class Trials
 {
 public:

@@ -2,6 +2,8 @@
 
 #include "variants.h"
 
+#include <Shape_characteristics/registration/Registration_verdict.h>
+
 #if __has_include(<support/Plot.h>) // what the examples share, where its dependencies are found
 #include <support/Plot.h>
 #define SHAPE_CHARACTERISTICS_REGISTRATION_PLOTS
@@ -20,6 +22,7 @@
 namespace registration {
 namespace {
 
+using Shape_characteristics::Registration_verdict;
 using Group = std::pair<std::string, std::string>; // surface, protocol
 
 constexpr double first_overlap = .2, overlap_step = .15;
@@ -184,6 +187,8 @@ void write_verdicts(std::ostream& out, const Trials& trials, const std::set<Tria
          "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
   for(auto& [group, by_verdict] : counts)
   {
+    const auto number = [&by_verdict = by_verdict](const Registration_verdict verdict, const char* truth)
+    { return by_verdict[std::string(to_string(verdict)) + truth]; };
     std::size_t all = 0, right = 0;
     for(const auto& [verdict, count] : by_verdict)
     {
@@ -192,12 +197,14 @@ void write_verdicts(std::ostream& out, const Trials& trials, const std::set<Tria
     }
     out << "| " << std::get<0>(group) << ", " << std::get<1>(group) << ", " << std::get<2>(group) << " | "
         << all << " |";
-    for(const char* verdict : {"success", "ambiguous", "failed"})
+    for(const Registration_verdict verdict :
+        {Registration_verdict::SUCCESS, Registration_verdict::AMBIGUOUS, Registration_verdict::FAILED})
       for(const char* truth : {" right", " wrong"})
-        out << ' ' << by_verdict[std::string(verdict) + truth] << " |";
-    const Share accepted{by_verdict["success wrong"],
-                         by_verdict["success wrong"] + by_verdict["success right"]};
-    const Share rejected{right - by_verdict["success right"], right};
+        out << ' ' << number(verdict, truth) << " |";
+    const std::size_t accepted_right = number(Registration_verdict::SUCCESS, " right"),
+                      accepted_wrong = number(Registration_verdict::SUCCESS, " wrong");
+    const Share accepted{accepted_wrong, accepted_wrong + accepted_right};
+    const Share rejected{right - accepted_right, right};
     out << ' ' << accepted.text() << " | " << rejected.text() << " |\n";
   }
   out << '\n';

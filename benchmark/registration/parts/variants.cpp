@@ -2,24 +2,21 @@
 
 #include "Mesh.h"
 #include "open3d_registration.h"
+#include "register_scans.h"
 #include "signals.h"
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
-#include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/assess_registration.h>
 #include <Shape_characteristics/registration/fast_global_registration.h>
 #include <Shape_characteristics/registration/match_descriptors.h>
-#include <Shape_characteristics/registration/register_partial_scans.h>
 #include <Shape_characteristics/registration/tuple_test.h>
 #include <Shape_characteristics/sampling/Point_set_samples.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -28,14 +25,11 @@
 #include <ctime>
 #include <functional>
 #include <stdexcept>
-#include <utility>
 
 namespace registration {
 namespace {
 
 namespace SC = Shape_characteristics;
-using Kernel = CGAL::Simple_cartesian<double>;
-using Point_and_normal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 using SC::Correspondence;
 using SC::Descriptor_matrix;
 using SC::Oriented_points;
@@ -237,46 +231,22 @@ Trial_result run_open3d(const Split& split, std::size_t neighbors)
   return result;
 }
 
-std::vector<Point_and_normal> as_range(const Scan& scan)
-{
-  std::vector<Point_and_normal> range;
-  for(std::size_t i = 0; i < scan.points.size(); ++i)
-  {
-    const Eigen::Vector3d &p = scan.points[i], &n = scan.normals[i];
-    range.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
-  }
-  return range;
-}
-
 Trial_result run_pipeline(const Split& split, std::size_t neighbors)
 {
   Trial_result result;
-  SC::Registration_result<Kernel> found;
-  // Meshes get their normals from the library, as a user's do.
-  if(split.source.triangles.empty())
+  const auto run = [&](const auto& source, const auto& target)
   {
-    const std::vector<Point_and_normal> source = as_range(split.source), target = as_range(split.target);
-    const auto maps = SC::parameters::point_map(CGAL::First_of_pair_property_map<Point_and_normal>())
-                          .normal_map(CGAL::Second_of_pair_property_map<Point_and_normal>());
     const double start = now();
-    found = SC::register_partial_scans<CGAL::Sequential_tag>(source, target,
-                                                             maps.number_of_neighbors(neighbors), maps);
+    const Registration_result found = register_scans(source, target, neighbors);
     result.solve = now() - start;
-  }
-  else
-  {
-    const Mesh source = to_mesh(split.source), target = to_mesh(split.target);
-    const double start = now();
-    found = SC::register_partial_scans<CGAL::Sequential_tag>(source, target,
-                                                             SC::parameters::number_of_neighbors(neighbors));
-    result.solve = now() - start;
-  }
-  const Eigen::Isometry3d motion(SC::internal::affine_to_eigen(found.transformation).matrix());
-  result.error = registration_error(split, motion);
+    return found;
+  };
+  const Registration_result found = split.source.triangles.empty()
+                                        ? run(to_range(split.source), to_range(split.target))
+                                        : run(to_mesh(split.source), to_mesh(split.target));
+  result.error = registration_error(split, motion(found));
   add_quality(result, found.quality);
-  result.verdict = found.verdict == SC::Registration_verdict::SUCCESS     ? "success"
-                   : found.verdict == SC::Registration_verdict::AMBIGUOUS ? "ambiguous"
-                                                                          : "failed";
+  result.verdict = to_string(found.verdict);
   return result;
 }
 
