@@ -56,7 +56,7 @@ inline Pair features(const Vector& p, const Vector& n_p, const Vector& q, const 
     d = -d;
   const Vector &u = swaps ? n_q : n_p, &n = swaps ? n_p : n_q;
   const Vector cross = d.cross(u);
-  if(cross.norm() < 1e-3L)
+  if(cross.norm() < 1e-3L && !cross.isZero(0))
     pair.is_certain = false;
   if(cross.norm() < 1e-6L)
     return pair;
