@@ -168,6 +168,8 @@ BOOST_AUTO_TEST_CASE(equal_plain_ones)
                               printed = compute<Flux>(s, Flux_method::POINTS, Signal_scaling::AS_PRINTED),
                               with_areas =
                                   compute<Flux>(s, Flux_method::POINTS, Signal_scaling::UNIT_FREE, areas),
+                              printed_with_areas =
+                                  compute<Flux>(s, Flux_method::POINTS, Signal_scaling::AS_PRINTED, areas),
                               volume = compute<Volume>(s, mean, Gaussian),
                               chirality = compute<Chirality>(s, mean, Gaussian);
   for(std::size_t i = 0; i < 800; ++i)
@@ -187,6 +189,8 @@ BOOST_AUTO_TEST_CASE(equal_plain_ones)
     BOOST_TEST(std::abs(double(printed.values(row, 0)) - f) < 1e-6 * radius * count);
     BOOST_TEST(std::abs(double(flux.values(row, 0)) - 2. * pi / count / radius * f) < 1e-6);
     BOOST_TEST(std::abs(double(with_areas.values(row, 0)) - 2. * .01 * f / std::pow(radius, 3)) < 1e-5);
+    BOOST_TEST(std::abs(double(printed_with_areas.values(row, 0)) - 2. * .01 * f) <
+               1e-5 * std::pow(radius, 3));
     const double v = n.dot((cloud.points[largest] - p).cross(cloud.points[smallest] - p));
     BOOST_TEST(std::abs(double(volume.values(row, 0)) - v / (radius * radius)) < 1e-6);
     const Vector3d a = plain_moment(cloud, i, near, mean), b = plain_moment(cloud, i, near, Gaussian);
