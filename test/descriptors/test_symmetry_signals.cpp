@@ -224,6 +224,12 @@ BOOST_AUTO_TEST_CASE(closed_forms)
   const SC::Descriptor_matrix volume = compute<Volume>(s, spots, negated(spots));
   BOOST_TEST(volume.values(row, 0) == 7.f / 16.f);
   BOOST_TEST(volume.values(row, 1) == -7.f / 16.f);
+  // two places with the largest: their mean, ((2, 1) + (1, 2)) / 2 x (-1, 3)
+  std::vector<double> more_spots = spots;
+  for(std::size_t i = 0; i < grid.points.size(); ++i)
+    if(grid.points[i].isApprox(Vector3d(1., 2., 0.)))
+      more_spots[i] = 1.;
+  BOOST_TEST(compute<Volume>(s, more_spots, spots).values(row, 0) == 6.f / 16.f);
   const SC::Descriptor_matrix printed =
       compute<Volume>(s, spots, spots, Signed_volume_method::EXTREMA, Signal_scaling::AS_PRINTED);
   BOOST_TEST(printed.values(row, 0) == 7.f);
@@ -447,6 +453,20 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   for(std::size_t n = 0; n <= 3; ++n)
     for(const SC::Descriptor_matrix& m : all(wavy_cloud(n, 14)))
       BOOST_TEST(number_of(Estimation_status::FEW_NEIGHBOURS, m) == n);
+  for(const std::size_t n : {3u, 4u}) // three neighbors are enough
+    for(const SC::Descriptor_matrix& m :
+        signals_of(wavy_cloud(n, 14), SC::Neighborhood::ball(100.), some_values(n, 1), some_values(n, 2))
+            .matrices)
+      BOOST_TEST(number_of(n == 4 ? Estimation_status::ESTIMATED : Estimation_status::FEW_NEIGHBOURS, m) ==
+                 n);
+  std::vector<double> some_missing = some_values(4, 1); // and three curvatures are
+  for(const Estimation_status expected : {Estimation_status::ESTIMATED, Estimation_status::FEW_NEIGHBOURS})
+  {
+    some_missing[expected == Estimation_status::ESTIMATED ? 1 : 2] = nan;
+    const SC::Point_set_samples s = samples_of(wavy_cloud(4, 14), SC::Neighborhood::ball(100.));
+    BOOST_TEST(number_of(expected, compute<Volume>(s, some_missing, some_values(4, 2))) == 4u);
+    BOOST_TEST(number_of(expected, compute<Chirality>(s, some_values(4, 2), some_missing)) == 4u);
+  }
   for(const SC::Descriptor_matrix& m : all(line))
     BOOST_TEST(number_of(Estimation_status::DEGENERATE, m) == 30u);
   for(const SC::Descriptor_matrix& m : all(spot))

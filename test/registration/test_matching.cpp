@@ -221,6 +221,13 @@ BOOST_AUTO_TEST_CASE(of_equal_distances_the_first_row_counts)
               Correspondences{{0, 0}}));
 }
 
+// as of planes and spheres
+BOOST_AUTO_TEST_CASE(descriptors_that_are_all_the_same)
+{
+  for(const double value : {0., 1., 1e30})
+    check_matches(make_matrix(40, 33, [&] { return value; }), make_matrix(50, 33, [&] { return value; }));
+}
+
 BOOST_AUTO_TEST_CASE(numbers_of_every_size)
 {
   Random random(3);
