@@ -276,10 +276,14 @@ BOOST_AUTO_TEST_CASE(two_parts)
       SC::assess_registration(s, t, Eigen::Isometry3d(to_eigen(result.transformation).matrix()));
   BOOST_TEST(quality.agreement == result.quality.agreement, boost::test_tools::tolerance(.02));
   BOOST_TEST(quality.curvature_correlation > .5);
+  BOOST_TEST(quality.curvature_correlation < 1.);
   BOOST_TEST(quality.opposition < .01);
   BOOST_TEST(quality.penetration < .2);
   const SC::Registration_quality wrong = SC::assess_registration(s, t, Eigen::Isometry3d::Identity());
   BOOST_TEST(wrong.agreement < .2);
+  const SC::Registration_quality same = SC::assess_registration(t, t, Eigen::Isometry3d::Identity());
+  BOOST_TEST(same.agreement == 1.);
+  BOOST_TEST(std::abs(same.curvature_correlation - 1.) < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(units_and_places)
