@@ -407,6 +407,8 @@ BOOST_AUTO_TEST_CASE(no_quadrics)
       {test_support::torus(), test_support::torus(1., .4, 160, 80, .15), test_support::waves(.1, 4., 1., 100),
        test_support::monkey_saddle(.5, 100, .15)})
     BOOST_TEST(on_quadrics(Data(s, Given::EXACT, 0.)).number == 0u, s.name);
+  // on all cylinders over the conics through the corners of a square
+  BOOST_TEST(on_quadrics(Data(test_support::cylinder(1., 4., 4, 12), Given::EXACT, 0.)).number == 0u);
   const Analytic_surface ellipsoid = test_support::ellipsoid(1., .7, .5, 2, .15);
   BOOST_TEST(on_quadrics(Data(ellipsoid, Given::ESTIMATED, 1e-7)).number == 0u);
   const On_quadrics nearly = on_quadrics(Data(ellipsoid, Given::ESTIMATED, 1e-10));

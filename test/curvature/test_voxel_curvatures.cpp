@@ -6,6 +6,7 @@
 #include <Shape_characteristics/curvature/voxel_curvatures.h>
 #include <Shape_characteristics/curvature/voxelize.h>
 
+#include <CGAL/Point_set_3.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/boost/graph/generators.h>
@@ -284,6 +285,64 @@ BOOST_AUTO_TEST_CASE(planes_are_flat)
   std::get<0>(items[0]) = Point_3(.3, 1., 1.); // the solid reaches the end of the grid
   estimate(octree, items, .6, Normals_of_items::OF_THE_VOXELS);
   BOOST_TEST((std::get<5>(items[0]) == SC::Estimation_status::BORDER));
+}
+
+// Normals that a point set has of its own are taken, as those of `normal_map`.
+BOOST_AUTO_TEST_CASE(point_set_with_normals)
+{
+  const Analytic_surface s = test_support::torus(1., .4, 16, 8);
+  const SC::Voxel_octree octree = voxels(test_support::torus(1., .4, 96, 48), .05, SC::Voxel_values::SHARES);
+  Items items = items_of(s);
+  CGAL::Point_set_3<Point_3> points(true);
+  for(Item& item : items)
+  {
+    std::get<1>(item) = -std::get<1>(item); // not those that the voxels say
+    points.insert(std::get<0>(item), std::get<1>(item));
+  }
+  const auto curvature = points.add_property_map<double>("curvature", 0.).first;
+  for(const Normals_of_items normals : {Normals_of_items::GIVEN, Normals_of_items::OF_THE_VOXELS})
+  {
+    if(normals == Normals_of_items::OF_THE_VOXELS)
+      points.remove_normal_map();
+    estimate(octree, items, .3, normals);
+    SC::voxel_curvatures<CGAL::Sequential_tag>(
+        octree, points, SC::parameters::neighbor_radius(.3).mean_curvature_map(curvature));
+    for(std::size_t i = 0; i < items.size(); ++i)
+      BOOST_TEST(curvature[i] == std::get<3>(items[i]));
+  }
+}
+
+// the same voxels in other units
+BOOST_AUTO_TEST_CASE(scale)
+{
+  const auto ball = [](const std::size_t i, const std::size_t j, const std::size_t k)
+  {
+    const double x = double(i) - 11.5, y = double(j) - 11.5, z = double(k) - 11.5;
+    return x * x + y * y + z * z < 81.;
+  };
+  const auto curvatures = [&](const double unit)
+  {
+    const SC::Voxel_octree octree({24, 24, 24}, Point_3(3. * unit, 0., 0.), {.1 * unit, .1 * unit, .1 * unit},
+                                  ball);
+    const std::vector<Point_3> points = octree.surface_points();
+    Items items(points.size());
+    for(std::size_t i = 0; i < items.size(); ++i)
+      std::get<0>(items[i]) = points[i];
+    BOOST_TEST(estimate(octree, items, .5 * unit, Normals_of_items::OF_THE_VOXELS) == 0u);
+    return items;
+  };
+  const Items expected = curvatures(1.);
+  BOOST_TEST(expected.size() > 100u);
+  for(const double unit : {1e-6, 1e6})
+  {
+    const Items items = curvatures(unit);
+    BOOST_TEST_REQUIRE(items.size() == expected.size());
+    for(std::size_t i = 0; i < items.size(); ++i)
+    {
+      BOOST_TEST(std::abs(unit * std::get<3>(items[i]) - std::get<3>(expected[i])) < 1e-9);
+      BOOST_TEST(std::abs(unit * unit * std::get<4>(items[i]) - std::get<4>(expected[i])) < 1e-9);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE(invariances_and_threads)
