@@ -74,6 +74,14 @@ Items items_of(const Analytic_surface& s)
   return items;
 }
 
+Items items_at(const std::vector<Point_3>& points)
+{
+  Items items(points.size());
+  for(std::size_t i = 0; i < items.size(); ++i)
+    std::get<0>(items[i]) = points[i];
+  return items;
+}
+
 SC::Voxel_octree voxels(const Analytic_surface& s, double size, SC::Voxel_values values)
 {
   return SC::voxelize(surface_mesh_of(s), size, values);
@@ -244,12 +252,9 @@ BOOST_AUTO_TEST_CASE(points_of_voxels)
   const SC::Voxel_octree octree = voxels(test_support::sphere(1., 5), .04, SC::Voxel_values::SHARES);
   const std::vector<Point_3> points = octree.surface_points();
   BOOST_TEST_REQUIRE(points.size() > 1000u);
-  Items items(points.size());
-  for(std::size_t i = 0; i < points.size(); ++i)
-  {
-    std::get<0>(items[i]) = points[i];
-    BOOST_TEST(std::abs(std::sqrt((points[i] - CGAL::ORIGIN).squared_length()) - 1.) < .02);
-  }
+  for(const Point_3& p : points)
+    BOOST_TEST(std::abs(std::sqrt((p - CGAL::ORIGIN).squared_length()) - 1.) < .02);
+  Items items = items_at(points);
   BOOST_TEST(estimate(octree, items, .3, Normals_of_items::OF_THE_VOXELS) == 0u);
   double largest = 0.;
   for(const Item& item : items)
@@ -324,10 +329,7 @@ BOOST_AUTO_TEST_CASE(scale)
   {
     const SC::Voxel_octree octree({24, 24, 24}, Point_3(3. * unit, 0., 0.), {.1 * unit, .1 * unit, .1 * unit},
                                   ball);
-    const std::vector<Point_3> points = octree.surface_points();
-    Items items(points.size());
-    for(std::size_t i = 0; i < items.size(); ++i)
-      std::get<0>(items[i]) = points[i];
+    Items items = items_at(octree.surface_points());
     BOOST_TEST(estimate(octree, items, .5 * unit, Normals_of_items::OF_THE_VOXELS) == 0u);
     return items;
   };

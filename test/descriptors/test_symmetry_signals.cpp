@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE(equal_plain_ones)
 BOOST_AUTO_TEST_CASE(closed_forms)
 {
   Cloud grid;
-  std::vector<double> x, x_and_y, spots;
+  std::vector<double> x, x_and_y, spots, more_spots;
   std::size_t middle = 0;
   for(int i = -5; i <= 5; ++i)
     for(int j = -5; j <= 5; ++j)
@@ -213,6 +213,7 @@ BOOST_AUTO_TEST_CASE(closed_forms)
       x.push_back(i);
       x_and_y.push_back(i + j);
       spots.push_back(i == 2 && j == 1 ? 1. : (i == -1 && j == 3 ? -1. : 0.));
+      more_spots.push_back(i == 1 && j == 2 ? 1. : spots.back());
     }
   grid.normals.assign(grid.points.size(), {0., 0., 1.});
   const SC::Point_set_samples s = samples_of(grid, SC::Neighborhood::ball(4.));
@@ -225,10 +226,6 @@ BOOST_AUTO_TEST_CASE(closed_forms)
   BOOST_TEST(volume.values(row, 0) == 7.f / 16.f);
   BOOST_TEST(volume.values(row, 1) == -7.f / 16.f);
   // two places with the largest: their mean, ((2, 1) + (1, 2)) / 2 x (-1, 3)
-  std::vector<double> more_spots = spots;
-  for(std::size_t i = 0; i < grid.points.size(); ++i)
-    if(grid.points[i].isApprox(Vector3d(1., 2., 0.)))
-      more_spots[i] = 1.;
   BOOST_TEST(compute<Volume>(s, more_spots, spots).values(row, 0) == 6.f / 16.f);
   const SC::Descriptor_matrix printed =
       compute<Volume>(s, spots, spots, Signed_volume_method::EXTREMA, Signal_scaling::AS_PRINTED);
@@ -453,19 +450,23 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   for(std::size_t n = 0; n <= 3; ++n)
     for(const SC::Descriptor_matrix& m : all(wavy_cloud(n, 14)))
       BOOST_TEST(number_of(Estimation_status::FEW_NEIGHBOURS, m) == n);
-  for(const std::size_t n : {3u, 4u}) // three neighbors are enough
+  // three neighbors are enough, and so are three curvatures
+  const SC::Neighborhood all_others = SC::Neighborhood::ball(100.);
+  const auto status_if = [](bool is_enough)
+  { return is_enough ? Estimation_status::ESTIMATED : Estimation_status::FEW_NEIGHBOURS; };
+  for(const std::size_t n : {3u, 4u})
     for(const SC::Descriptor_matrix& m :
-        signals_of(wavy_cloud(n, 14), SC::Neighborhood::ball(100.), some_values(n, 1), some_values(n, 2))
-            .matrices)
-      BOOST_TEST(number_of(n == 4 ? Estimation_status::ESTIMATED : Estimation_status::FEW_NEIGHBOURS, m) ==
-                 n);
-  std::vector<double> some_missing = some_values(4, 1); // and three curvatures are
-  for(const Estimation_status expected : {Estimation_status::ESTIMATED, Estimation_status::FEW_NEIGHBOURS})
+        signals_of(wavy_cloud(n, 14), all_others, some_values(n, 1), some_values(n, 2)).matrices)
+      BOOST_TEST(number_of(status_if(n == 4), m) == n);
+  const Cloud four = wavy_cloud(4, 14);
+  const SC::Point_set_samples s = samples_of(four, all_others);
+  const std::vector<double> values = some_values(4, 2);
+  std::vector<double> incomplete = some_values(4, 1);
+  for(const std::size_t missing : {1u, 2u})
   {
-    some_missing[expected == Estimation_status::ESTIMATED ? 1 : 2] = nan;
-    const SC::Point_set_samples s = samples_of(wavy_cloud(4, 14), SC::Neighborhood::ball(100.));
-    BOOST_TEST(number_of(expected, compute<Volume>(s, some_missing, some_values(4, 2))) == 4u);
-    BOOST_TEST(number_of(expected, compute<Chirality>(s, some_values(4, 2), some_missing)) == 4u);
+    incomplete[missing] = nan;
+    BOOST_TEST(number_of(status_if(missing == 1), compute<Volume>(s, incomplete, values)) == 4u);
+    BOOST_TEST(number_of(status_if(missing == 1), compute<Chirality>(s, values, incomplete)) == 4u);
   }
   for(const SC::Descriptor_matrix& m : all(line))
     BOOST_TEST(number_of(Estimation_status::DEGENERATE, m) == 30u);

@@ -25,12 +25,12 @@ using Point_range = std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3> >;
 /// the points and normals of a scan, in their order
 Point_range to_range(const Scan& scan);
 
-/// `register_partial_scans()` of point sets, on one thread
+/// `register_partial_scans()` of point sets, on one thread; `neighbors`: as many as it takes by default
 Registration_result
 register_scans(const Point_range& source, const Point_range& target, std::size_t neighbors = 60);
 
 /// the same of meshes, with the normals that it computes, as a user's get them
-Registration_result register_scans(const Mesh& source, const Mesh& target, std::size_t neighbors = 60);
+Registration_result register_scans(const Mesh& source, const Mesh& target, std::size_t neighbors);
 
 /// the motion that was found
 Eigen::Isometry3d motion(const Registration_result& result);

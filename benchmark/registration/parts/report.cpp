@@ -170,14 +170,15 @@ void write_failures(std::ostream& out,
 
 void write_verdicts(std::ostream& out, const Trials& trials, const std::set<Trial_id>& asked)
 {
+  // verdict, whether it is right
+  using Numbers = std::map<std::pair<std::string, bool>, std::size_t>;
   // surface, protocol, variant
-  std::map<std::tuple<std::string, std::string, std::string>, std::map<std::string, std::size_t> > counts;
+  std::map<std::tuple<std::string, std::string, std::string>, Numbers> counts;
   for(const Trial_id& id : asked)
   {
     const Trial_result& result = trials.results().at(id);
     if(result.verdict != "-")
-      ++counts[{id.surface, id.protocol, id.variant}]
-              [result.verdict + (result.is_correct() ? " right" : " wrong")];
+      ++counts[{id.surface, id.protocol, id.variant}][{result.verdict, result.is_correct()}];
   }
   if(counts.empty())
     return;
@@ -185,24 +186,25 @@ void write_verdicts(std::ostream& out, const Trials& trials, const std::set<Tria
          "| | trials | success, right | success, wrong | ambiguous, right | ambiguous, wrong | failed, right "
          "| failed, wrong | wrong ones accepted | right ones rejected |\n"
          "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
-  for(auto& [group, by_verdict] : counts)
+  for(auto& [group, numbers] : counts)
   {
-    const auto number = [&by_verdict = by_verdict](const Registration_verdict verdict, const char* truth)
-    { return by_verdict[std::string(to_string(verdict)) + truth]; };
+    const auto number = [&numbers = numbers](const Registration_verdict verdict, const bool is_right) {
+      return numbers[{to_string(verdict), is_right}];
+    };
     std::size_t all = 0, right = 0;
-    for(const auto& [verdict, count] : by_verdict)
+    for(const auto& [verdict, count] : numbers)
     {
       all += count;
-      right += verdict.find("right") != std::string::npos ? count : 0;
+      right += verdict.second ? count : 0;
     }
     out << "| " << std::get<0>(group) << ", " << std::get<1>(group) << ", " << std::get<2>(group) << " | "
         << all << " |";
     for(const Registration_verdict verdict :
         {Registration_verdict::SUCCESS, Registration_verdict::AMBIGUOUS, Registration_verdict::FAILED})
-      for(const char* truth : {" right", " wrong"})
-        out << ' ' << number(verdict, truth) << " |";
-    const std::size_t accepted_right = number(Registration_verdict::SUCCESS, " right"),
-                      accepted_wrong = number(Registration_verdict::SUCCESS, " wrong");
+      for(const bool is_right : {true, false})
+        out << ' ' << number(verdict, is_right) << " |";
+    const std::size_t accepted_right = number(Registration_verdict::SUCCESS, true),
+                      accepted_wrong = number(Registration_verdict::SUCCESS, false);
     const Share accepted{accepted_wrong, accepted_wrong + accepted_right};
     const Share rejected{right - accepted_right, right};
     out << ' ' << accepted.text() << " | " << rejected.text() << " |\n";
