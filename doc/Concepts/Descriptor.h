@@ -7,7 +7,8 @@
   fills a matrix with those of all or of some samples; what matches them doesn't know which descriptor it serves.
 
   The constructor of a model takes a `SampledSurface`, which has to outlive the descriptor, and does what the
-  descriptors of all samples share.
+  descriptors of all samples share. (`Shape_characteristics::Appended_descriptor` and `Shape_characteristics::Scaled_descriptor`
+  take other descriptors.)
 
   \cgalHasModelsBegin
   \cgalHasModels{Shape_characteristics::Appended_descriptor}

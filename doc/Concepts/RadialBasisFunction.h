@@ -43,7 +43,7 @@ public:
   /// whether the function has a shape parameter, and with it the members below
   static constexpr bool has_shape_parameter = unspecified;
 
-  /// whether interpolants exist at all; where it is `false` (`Polyharmonic<t>` with an even `t`), the functions that
+  /// whether interpolants exist at all; where it is `false` (`Polyharmonic<t>` with an even `t`, `Polyharmonic_logarithmic<t>` with an odd one), the functions that
   /// use the basis function throw `std::invalid_argument`
   static constexpr bool is_valid = unspecified;
 
@@ -55,7 +55,8 @@ public:
   RadialBasisFunction();
 
   /// constructs the function with the shape parameter `epsilon`, which estimators and interpolants use as it is. They scale their
-  /// neighborhood (the data) to unit size (root mean square distance) before, so it is meant in units of 1/size.
+  /// neighborhood (the data) to unit size (root mean square distance) before, so it is meant in units of 1/size
+  /// (`Exponential_cubic`, which multiplies the cube of the distance by it: 1/size³).
   /// Only if `has_shape_parameter`.
   /// \throws std::invalid_argument if `epsilon` is not finite and positive
   explicit RadialBasisFunction(double epsilon);

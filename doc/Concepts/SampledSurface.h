@@ -63,7 +63,7 @@ public:
   /// other: each block of `patch_size` in a row is a compact patch. The same surface gives the same order.
   std::vector<Index> traversal_order(std::size_t patch_size = 2000) const;
 
-  /// replaces the point of sample `i`. The neighborhoods stay as they are.
+  /// replaces the point of sample `i`. Neighborhoods stay as they are, but for balls on meshes, which are measured anew.
   void set_point(std::size_t i, const Eigen::Vector3d& point);
 
   /// replaces the normals of all samples.

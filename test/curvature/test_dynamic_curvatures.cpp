@@ -229,6 +229,7 @@ BOOST_AUTO_TEST_CASE(given_normals)
   SC::Dynamic_curvatures<Surface_mesh, std::decay_t<decltype(estimator)>, Np> any(mesh, estimator, np_a);
   SC::Dynamic_rusinkiewicz_curvatures<Surface_mesh, Np> fast(mesh, np_b);
   BOOST_TEST(any.number_of_failures() == 0u);
+  BOOST_TEST(fast.number_of_failures() == 0u);
   std::mt19937 random(2);
   for(int step = 0; step < 4; ++step)
   {
@@ -280,6 +281,8 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   Maps maps(soup, ""), whole(soup, " of the whole");
   const auto np = maps.parameters();
   SC::Dynamic_rusinkiewicz_curvatures<Surface_mesh, std::decay_t<decltype(np)> > dynamic(soup, np);
+  BOOST_TEST(dynamic.number_of_failures() == SC::rusinkiewicz_curvatures(soup, whole.parameters()));
+  BOOST_TEST(dynamic.number_of_failures() > 0u);
   for(const double x : {0., 2., 1., 7.})
   {
     soup.point(Vertex(3)) = Kernel::Point_3(x, 0, 0);

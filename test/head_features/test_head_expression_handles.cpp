@@ -80,6 +80,10 @@ BOOST_AUTO_TEST_CASE(expressions_move_what_they_say)
   BOOST_TEST(smile_right.x() > .01);
   BOOST_TEST(smile_left.y() > .02);
   BOOST_TEST(std::abs(smile_left.y() - smile_right.y()) < 1e-3);
+  // as in a mirror, and to the back along the teeth
+  BOOST_TEST(std::abs(smile_left.x() + smile_right.x()) < 1e-3);
+  BOOST_TEST(std::abs(smile_left.z() - smile_right.z()) < 1e-3);
+  BOOST_TEST(smile_left.z() < -.01);
   BOOST_TEST(length(moved(Head_expression::SMILE, Feature::M3)) < 1e-12);
   BOOST_TEST(length(moved(Head_expression::SMILE, Feature::TOP)) < 1e-12);
   BOOST_TEST(moved(Head_expression::SAD, Feature::M1).y() < -.02);

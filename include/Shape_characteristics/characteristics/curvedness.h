@@ -14,7 +14,7 @@ namespace Shape_characteristics {
   \ingroup PkgShapeCharacteristicsCharacteristics
 
   returns the curvedness \f$ C = \sqrt{(K_1^2 + K_2^2) / 2} \f$: how much the surface deviates from a plane, regardless of the shape (the
-  thesis's section 6.1.1; Koenderink and van Doorn, Surface shape and curvature scales, 1992).
+  thesis's section 6.1.1; Koenderink and van Doorn \cgalCite{koenderink}).
 
   Its unit is 1/length. It is never negative, 0 on planes, and doesn't depend on the orientation of the surface.
 

@@ -15,7 +15,7 @@ namespace Shape_characteristics {
   \ingroup PkgShapeCharacteristicsCharacteristics
 
   returns the shape index \f$ S = \frac{2}{\pi} \arctan \frac{K_1 + K_2}{K_1 - K_2} \f$, \f$ K_1 \geq K_2 \f$ (the thesis's section 6.1.1;
-  Koenderink and van Doorn, Surface shape and curvature scales, 1992).
+  Koenderink and van Doorn \cgalCite{koenderink}).
 
   It tells the shape regardless of the size, in [-1, 1]: -1 is a cup (spherical hollow), -0.5 a rut, 0 a symmetric saddle, +0.5 a ridge, and
   +1 a cap (spherical bump). Flipping the normals negates it.

@@ -68,7 +68,9 @@ struct Noting_map
 
   All estimators of this library that have that overload will do: the overload gives what the one for the whole
   mesh gives, bit for bit, with these exceptions: `hrbf_curvatures()` needs `fits_are_shared(false)` for that on the whole
-  mesh, and, with inexact normals, `noise_level`, which comes from the surroundings otherwise; the
+  mesh, and, with inexact normals, `noise_level`, which comes from the surroundings otherwise, as does the radius over which the
+  thesis's method averages derivatives; so does the noise level of `adaptive_curvatures()`, where normals aren't exact;
+  `interpolated_corrected_curvatures()` needs triangles that are shorter than its ball; the
   status `DUPLICATE` is not told; of two fans of faces that share a vertex (a bow tie), only one is seen.
 
   The overload for one vertex copies the surroundings of the vertex, which takes longer than most estimators do with

@@ -141,6 +141,9 @@ public:
     return move(indices);
   }
 
+  /// the number of vertices of the mesh that have no estimate
+  std::size_t number_of_failures() const noexcept { return m_failures; }
+
   /// the vertices that were estimated by the last update, or by the constructor, in the order of the mesh
   std::vector<vertex_descriptor> updated_vertices() const
   {

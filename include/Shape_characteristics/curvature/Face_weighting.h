@@ -8,7 +8,7 @@ namespace Shape_characteristics {
 enum class Face_weighting : unsigned char
 {
   UNIFORM, ///< all alike: better on irregular meshes
-  AREA     ///< area of the face
+  AREA     ///< area of the face, or of the part of it that belongs to the vertex: see the function
 };
 
 } // namespace Shape_characteristics

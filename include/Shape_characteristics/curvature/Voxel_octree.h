@@ -48,6 +48,7 @@ public:
     \param value the share of the voxel `(i, j, k)` that is inside, in \f$ [0, 1] \f$. It is called once for each
            voxel, in an order that is not specified.
     \throws std::invalid_argument if `size`, `origin` or `spacing` is out of its range, or a value is
+    \throws std::length_error if the octree gets \f$ 2^{32} - 1 \f$ nodes that have parts
 
     Complexity: linear in the number of voxels. The memory is proportional to the number of voxels at the surface.
   */

@@ -194,8 +194,8 @@ private:
   eigenvalues and eigenvectors of the symmetric part in the tangent plane of the vertex. At a border, the integral over
   it that the integration by parts leaves is added; the paper is about closed surfaces.
 
-  What counts is the part of the mesh around the vertex: triangles at vertices that are reached by edges inside of the ball. Another
-  sheet that passes through the ball doesn't count.
+  What counts is the part of the mesh around the vertex: triangles at vertices that are reached by edges inside of the ball, and
+  at their neighbors. Another sheet that passes through the ball doesn't count.
 
   Of the normals nothing is used but the tangent plane and the side: positions alone determine the curvatures. They are means
   over the ball, which must be small compared to the details. The theory promises convergence if the ball shrinks with the

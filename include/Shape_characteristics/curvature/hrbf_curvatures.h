@@ -107,7 +107,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{a model of `RadialBasisFunction`}
       \cgalParamDefault{`Inverse_multiquadric` with exact normals, `Matern_9_2` otherwise}
       \cgalParamExtra{`Polyharmonic<3>()` and `Exponential_cubic()` give the thesis's method. A shape parameter that is set
-                      is meant in units of 1/size of the neighborhood (its root mean square radius).}
+                      is meant in units of 1/size of the neighborhood (its root mean square radius), that of
+                      `Exponential_cubic` of 1/size³.}
     \cgalParamNEnd
     \cgalParamNBegin{noise_level}
       \cgalParamDescription{the standard deviation of the points from the surface, in units of the root mean square distance
@@ -137,7 +138,12 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{the minimal distance in the Poisson-disc pattern over which derivatives are averaged (8.1.3)}
       \cgalParamType{`double`}
       \cgalParamDefault{`0.3`}
-      \cgalParamExtra{Only with another basis function and inexact normals; `random_seed` chooses the pattern.}
+      \cgalParamExtra{Only with another basis function and inexact normals.}
+    \cgalParamNEnd
+    \cgalParamNBegin{random_seed}
+      \cgalParamDescription{chooses that pattern}
+      \cgalParamType{`unsigned int`}
+      \cgalParamDefault{`4`}
     \cgalParamNEnd
     \cgalParamNBegin{shape_parameter_box}
       \cgalParamDescription{the box that gives `Exponential_cubic` its shape parameter (8.1.1)}

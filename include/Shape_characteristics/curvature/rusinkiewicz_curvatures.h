@@ -63,7 +63,7 @@ private:
   al., Discrete differential-geometry operators for triangulated 2-manifolds, 2003). The principal curvatures and
   directions are its eigenvalues and eigenvectors.
 
-  The fastest of the estimators. The result is as good as the normals; with exact ones its error falls with
+  One of the fastest estimators (`batagelo_wu_curvatures()` is the fastest). The result is as good as the normals; with exact ones its error falls with
   the square of the edge length on regular meshes, and linearly on others. With normals computed from the mesh it
   doesn't vanish on irregular meshes.
 

@@ -163,7 +163,7 @@ private:
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument if the mesh is not closed, a face is not a triangle, a point is not finite, or `voxel_size` is
-          not positive or so small that there would be more than \f$ 2^{31} \f$ voxels
+          not positive or so small that there would be more than \f$ 2^{31} \f$ voxels, or \f$ 2^{20} \f$ along an axis
 
   Complexity: linear in the number of voxels and of lines through triangles, 4 bytes a voxel while it works.
 

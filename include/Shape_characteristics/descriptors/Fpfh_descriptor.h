@@ -29,8 +29,8 @@ namespace Shape_characteristics {
   of how the normals around it are turned against each other.
 
   A sample and a neighbor, with the unit vector \f$ d \f$ between them, give three features. Of the two, the source is
-  the one whose normal \f$ u \f$ makes the smaller angle with \f$ d \f$, which leads from it to the other one, whose normal is
-  \f$ n \f$. With \f$ v = d \times u / \lVert d \times u \rVert \f$ and \f$ w = u \times v \f$:
+  the one whose normal \f$ u \f$ makes the smaller angle with the line along \f$ d \f$, which leads from it to the other one, whose
+  normal is \f$ n \f$. With \f$ v = d \times u / \lVert d \times u \rVert \f$ and \f$ w = u \times v \f$:
 
   | columns | feature | range | in the mirrored surface |
   |---------|---------|-------|-------------------------|

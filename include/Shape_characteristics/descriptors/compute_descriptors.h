@@ -73,6 +73,8 @@ Descriptor_matrix compute_descriptor_rows(const Descriptor& descriptor,
   \param callback called with the advancement in `[0, 1]`, by one thread at a time and with increasing values; if it
          returns `false`, samples not yet reached get the status `CANCELLED`. May be empty.
 
+  \return the descriptors, and the status of each; a row without a descriptor is quiet NaN
+
   Complexity: that of the descriptor, as many times as there are samples.
 */
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag, typename Descriptor>

@@ -10,8 +10,8 @@ enum class Head_feature_method : unsigned char
   /// by the shape of the surface, between vertices as well as at them: the result doesn't depend on how densely the head is
   /// tessellated, and what isn't there is not found
   SURFACE,
-  /// as chapter 9 of the thesis says, word by word: vertices alone, numbers of vertices given by the user, and an answer in any
-  /// case
+  /// as chapter 9 of the thesis says, word by word: vertices alone, numbers of vertices given by the user, and an answer whatever
+  /// the mesh is, if its pose is known
   THESIS
 };
 

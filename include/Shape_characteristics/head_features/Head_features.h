@@ -29,7 +29,9 @@ namespace Shape_characteristics {
 template <typename FaceGraph, typename GeomTraits>
 struct Head_features
 {
+  /// a vertex of the mesh
   using Vertex_descriptor = typename boost::graph_traits<FaceGraph>::vertex_descriptor;
+  /// a point of the mesh
   using Point_3 = typename GeomTraits::Point_3;
 
   /// a feature point
@@ -73,6 +75,7 @@ struct Head_features
   {
     return points[static_cast<std::size_t>(feature)];
   }
+  /// the same, to be changed
   Feature_point& operator[](Head_feature feature) { return points[static_cast<std::size_t>(feature)]; }
 
   /// a region
@@ -80,6 +83,7 @@ struct Head_features
   {
     return regions[static_cast<std::size_t>(region)];
   }
+  /// the same, to be changed
   Feature_region& operator[](Head_region region) { return regions[static_cast<std::size_t>(region)]; }
 };
 

@@ -45,7 +45,8 @@ namespace Shape_characteristics {
 
   `Head_feature_method::THESIS` is chapter 9 to the letter, for comparison: vertices alone, each the one with the greatest measure
   (9.1) to (9.6). Its errors are its own: with the printed radius of 0.6 the chin is the tip of the nose, and no mouth is found
-  between the two. It answers whatever the mesh is, and its confidences are all 1.
+  between the two. Where the pose of a head is given or the mesh is said to be an aligned head, it answers whatever the mesh is, and its
+  confidences are all 1.
 
   Nothing depends on the unit and the place of the mesh, nor, up to the accuracy of its estimate, on the pose.
 
@@ -63,7 +64,8 @@ namespace Shape_characteristics {
       \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
     \cgalParamNEnd
     \cgalParamNBegin{head_pose}
-      \cgalParamDescription{the pose of the head; its transformation and its verdict are taken as they are}
+      \cgalParamDescription{the pose of the head; its transformation and its verdict are taken as they are. Not read if
+                            `head_is_aligned`.}
       \cgalParamType{`Head_pose`}
       \cgalParamDefault{found by `estimate_head_pose()`}
     \cgalParamNEnd

@@ -105,7 +105,8 @@ public:
   {
     if(!RadialBasisFunction::is_valid)
       throw std::invalid_argument(
-          "Shape_characteristics: radial_basis_function: the exponent of Polyharmonic must be odd");
+          "Shape_characteristics: radial_basis_function: `Polyharmonic<t>` needs an odd, "
+          "`Polyharmonic_logarithmic<t>` an even exponent");
   }
 
   /// fits the surface at sample `i`

@@ -158,7 +158,7 @@ private:
   are far apart, as where the surfaces don't overlap, are left out; the others get Tukey's weights of a width that follows the
   median of the distances. Both limits are wide in the beginning and shrink by the factor 0.7 in each step: the one of
   the distance from `maximum_correspondence_distance` to three times the spacing of the target's points, the width of
-  the weights to a tenth of it, or what the median asks for.
+  the weights to a tenth of that spacing, or what the median asks for.
 
   \scConcurrencyTag
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
@@ -249,6 +249,7 @@ Rigid_alignment iterative_closest_point(const Oriented_points& source,
     if(!planes.is_valid())
     {
       result.status = Estimation_status::DEGENERATE;
+      result.conditioning = std::numeric_limits<double>::quiet_NaN(); // that of an earlier step
       result.inliers.clear();
       return result;
     }

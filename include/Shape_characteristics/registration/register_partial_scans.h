@@ -78,7 +78,7 @@ Oriented_points oriented_points_of(const Scan& scan, const NamedParameters& np)
   \param source the scan that is moved
   \param target the scan to which it is moved
   \param np_source an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
-  \param np_target the same for the target; of those below, maps alone
+  \param np_target the same for the target; of those below, maps and `normal_weighting` alone
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{vertex_point_map}

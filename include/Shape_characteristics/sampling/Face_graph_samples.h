@@ -85,6 +85,7 @@ public:
     \param connectivity what is to be known beside the points
     \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ vertices or corners of faces; of faces that aren't triangles,
             half as many corners
+    \throws std::invalid_argument if the neighborhood is one of point sets
 
     Complexity: linear in the size of the mesh.
   */
@@ -449,7 +450,7 @@ public:
     return near;
   }
 
-  /// replaces the point of vertex `i`, which keeps its neighbors
+  /// replaces the point of vertex `i`. Rings stay as they are; balls have other vertices then.
   void set_point(std::size_t i, const Eigen::Vector3d& point) { m_points[i] = point; }
 
 private:

@@ -98,7 +98,7 @@ Neighborhood mesh_neighborhood(const NamedParameters& np)
     const long long rings =
         static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_rings), 2));
     if(rings < 1 || rings > 1000000)
-      throw std::invalid_argument("Shape_characteristics: number_of_rings must be positive");
+      throw std::invalid_argument("Shape_characteristics: number_of_rings must be between 1 and 1000000");
     return Neighborhood::rings(static_cast<unsigned int>(rings));
   }
 }

@@ -59,6 +59,7 @@ public:
     \param point_map its points
     \param neighborhood what the neighbors of a point are: `Neighborhood::nearest()` or `Neighborhood::ball()`
     \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ points
+    \throws std::invalid_argument if the neighborhood is one of meshes
 
     Complexity: \f$ O(n \log n) \f$.
   */

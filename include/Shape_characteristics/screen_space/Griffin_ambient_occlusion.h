@@ -54,10 +54,13 @@ public:
       throw std::invalid_argument("Griffin_ambient_occlusion: the coefficients must be finite");
   }
 
-  double scale() const noexcept { return m_scale; }
-  double constant() const noexcept { return m_constant; }
-  double linear() const noexcept { return m_linear; }
-  double quadratic() const noexcept { return m_quadratic; }
+  /// \name The arguments of the constructor
+  /// @{
+  double scale() const noexcept { return m_scale; }         ///< the factor of the curvatures
+  double constant() const noexcept { return m_constant; }   ///< \f$ c_0 \f$
+  double linear() const noexcept { return m_linear; }       ///< \f$ c_1 \f$
+  double quadratic() const noexcept { return m_quadratic; } ///< \f$ c_2 \f$
+  /// @}
 
   /// returns the share of the ambient light that arrives, in [0, 1]; NaN if a curvature is NaN.
   /// \tparam PrincipalCurvatures a type with the members `min_curvature` and `max_curvature`

@@ -46,6 +46,7 @@ public:
       throw std::invalid_argument("Hattori_ambient_occlusion: `radius` must be positive and finite");
   }
 
+  /// the radius of the sphere, in the unit of the surface
   double radius() const noexcept { return m_radius; }
 
   /// returns the share of the ambient light that arrives, in [0, 1]; NaN if a curvature is NaN.

@@ -60,10 +60,15 @@ public:
       throw std::invalid_argument("Two_part_ambient_occlusion: `expected_value` must be finite");
   }
 
+  /// \name The arguments of the constructor
+  /// @{
+
+  /// the magnitude of the mean curvature that gets the darkest and the brightest value
   double curvature_extreme() const noexcept { return m_extreme; }
-  double flat_value() const noexcept { return m_flat; }
-  double variance() const noexcept { return m_variance; }
-  double expected_value() const noexcept { return m_expected; }
+  double flat_value() const noexcept { return m_flat; }         ///< \f$ a \f$, the value of flat places
+  double variance() const noexcept { return m_variance; }       ///< \f$ \delta^2 \f$
+  double expected_value() const noexcept { return m_expected; } ///< \f$ \mu \f$
+  /// @}
 
   /// returns the share of the ambient light that arrives, in [0, 1]; NaN if a curvature is NaN.
   /// \tparam PrincipalCurvatures a type with the members `min_curvature` and `max_curvature`

@@ -49,7 +49,7 @@ namespace Shape_characteristics {
       \cgalParamDefault{`Two_part_ambient_occlusion` with the `mean_curvature_extreme()` of the picture}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_triangles}
-      \cgalParamDescription{how many triangles of neighboring pixels are averaged, 1 to 4}
+      \cgalParamDescription{how many triangles of neighboring pixels are taken, 1 to 4}
       \cgalParamType{`int`}
       \cgalParamDefault{`4`}
     \cgalParamNEnd

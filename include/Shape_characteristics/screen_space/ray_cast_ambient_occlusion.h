@@ -68,7 +68,12 @@ namespace Shape_characteristics {
       \cgalParamType{`double`}
       \cgalParamDefault{infinity}
     \cgalParamNEnd
-    \scCallbackParameter
+    \cgalParamNBegin{callback}
+      \cgalParamDescription{called with the advancement in [0, 1], by one thread at a time; `false` stops the computation, and
+                            pixels not yet reached get quiet NaN}
+      \cgalParamType{convertible to `std::function<bool(double)>`}
+      \cgalParamDefault{unused}
+    \cgalParamNEnd
   \cgalNamedParamsEnd
 
   \return the number of pixels that show a surface but not that of the mesh, or that were left out because `callback` returned `false`
