@@ -54,6 +54,12 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   surface that is sampled coarsely looks a little noisy as well; where it is known to be clean, `noise_level(0)` is better. At
   sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing beside it.
 
+  Distances count alike in all directions. So the triangles should not be much longer than wide: where they are, as CAD programs
+  make them for cylinders, what bends across them is taken for noise. On a tube with a wavy profile, triangles of aspect ratio 10
+  make the default 12 % wrong, and of 30 it is useless, with the status `ESTIMATED`; one fit for each vertex
+  (`fits_are_shared(false)`) is 2.4 % wrong at 10. Normals that are said to be exact, `adaptive_curvatures()` and
+  `jet_fitting_curvatures()` are at most .8 % wrong there.
+
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little, and where normals that
   are said to be exact fit together: see `fits_are_shared`. Which vertices have a fit of their own follows from the order of
   the vertices and from the edges; so it changes with the order of the input. The mean error is up to some twice that of a
