@@ -230,6 +230,19 @@ BOOST_AUTO_TEST_CASE(closed_forms)
   const SC::Descriptor_matrix printed =
       compute<Volume>(s, spots, spots, Signed_volume_method::EXTREMA, Signal_scaling::AS_PRINTED);
   BOOST_TEST(printed.values(row, 0) == 7.f);
+  // with a unit, a volume may be too large to be told
+  for(const auto& [scale, reach] : {std::pair<double, double>(1e20, 4e20), {1., 1e200}})
+  {
+    Cloud large = grid;
+    for(auto& p : large.points)
+      p = {scale * p[0], scale * p[1], scale * p[2]};
+    const SC::Point_set_samples t = samples_of(large, SC::Neighborhood::ball(reach));
+    const SC::Descriptor_matrix of_large =
+        compute<Volume>(t, spots, spots, Signed_volume_method::EXTREMA, Signal_scaling::AS_PRINTED);
+    BOOST_TEST((of_large.status[middle] == SC::Estimation_status::DEGENERATE));
+    BOOST_TEST(std::isnan(of_large.values(row, 0)));
+    BOOST_TEST(std::isnan(of_large.values(row, 1)));
+  }
   BOOST_TEST((compute<Volume>(s, spots, spots, Signed_volume_method::BINS).values(row, 0) > .1f));
 
   // what doesn't vary has no handedness, but for rounding errors, which say nothing

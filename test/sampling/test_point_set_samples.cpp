@@ -385,6 +385,15 @@ BOOST_AUTO_TEST_CASE(spacing)
   BOOST_TEST(std::abs(samples.mean_spacing() - sum_of_all / double(points.size())) < 1e-14);
 }
 
+// of many points as well
+BOOST_AUTO_TEST_CASE(mean_spacing_has_no_order)
+{
+  std::vector<Point_3> points = random_points(2500, 12);
+  const double spacing = samples_of(points, Neighborhood::nearest(3)).mean_spacing();
+  std::sort(points.begin(), points.end());
+  BOOST_TEST(samples_of(points, Neighborhood::nearest(3)).mean_spacing() == spacing);
+}
+
 BOOST_AUTO_TEST_CASE(traversal_goes_by_compact_patches)
 {
   std::vector<Point_3> points = random_points(20000, 10);

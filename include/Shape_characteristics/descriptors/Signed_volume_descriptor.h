@@ -48,7 +48,8 @@ namespace Shape_characteristics {
   neighbor otherwise. Extremal points are fickle: of two scans of a head, the sign is the same in 60 to 80 % of the
   points.
 
-  The status of samples with less than 3 neighbors, or less than 3 samples around that have a value, is `FEW_NEIGHBOURS`, with all of them in a line `DEGENERATE`.
+  The status of samples with less than 3 neighbors, or less than 3 samples around that have a value, is `FEW_NEIGHBOURS`, with all of them in a line `DEGENERATE`, and so it is where a volume with a unit is too large for a `float`, or
+  the radius for its square.
 
   \tparam SampledSurface a model of the concept `SampledSurface`
 
@@ -116,6 +117,11 @@ public:
     for(std::size_t k = 0; k < 2; ++k)
       row[k] = float(
           unit * volume(i, neighbors, radius, m_curvatures[k], k == 0 ? 1. / radius : 1. / radius / radius));
+    if(!std::isfinite(row[0]) || !std::isfinite(row[1])) // too large, or too large a radius
+    {
+      row[0] = row[1] = std::numeric_limits<float>::quiet_NaN();
+      return Estimation_status::DEGENERATE;
+    }
     return status;
   }
 

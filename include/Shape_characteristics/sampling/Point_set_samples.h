@@ -167,12 +167,14 @@ public:
     return sum;
   }
 
-  /// mean of `spacing()` over (at most) 1000 points spread evenly over the range
+  /// mean of `spacing()` over all points: over some of them it would depend on their order, or on how they are turned
+  ///
+  /// Complexity: \f$ O(n \log n) \f$.
   double mean_spacing() const
   {
-    const std::size_t step = (std::max)(size() / 1000, std::size_t(1));
     std::vector<double> spacings;
-    for(std::size_t i = 0; i < size(); i += step)
+    spacings.reserve(size());
+    for(std::size_t i = 0; i < size(); ++i)
       if(const double s = spacing(i); s > 0.)
         spacings.push_back(s);
     return internal::mean_of(spacings);
