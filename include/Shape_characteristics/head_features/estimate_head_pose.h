@@ -83,12 +83,7 @@ Eigen::Vector3d upward_direction_of(const NamedParameters& np)
       \cgalParamType{`%Vector_3`}
       \cgalParamDefault{unknown: any way up will do}
     \cgalParamNEnd
-    \cgalParamNBegin{callback}
-      \cgalParamDescription{called with the advancement in [0, 1], by one thread at a time; `false` stops the search, the verdict
-                            is `NOT_A_HEAD`, and the obstacle `CANCELLED`}
-      \cgalParamType{convertible to `std::function<bool(double)>`}
-      \cgalParamDefault{unused}
-    \cgalParamNEnd
+    \scPoseCallbackParameter
   \cgalNamedParamsEnd
 
   \return the pose and the verdict. Vertices that aren't finite are left out; with less than 100 samples of the surface the
@@ -138,12 +133,7 @@ auto estimate_head_pose(const FaceGraph& mesh, const NamedParameters& np = param
       \cgalParamType{`%Vector_3`}
       \cgalParamDefault{unknown: any way up will do}
     \cgalParamNEnd
-    \cgalParamNBegin{callback}
-      \cgalParamDescription{called with the advancement in [0, 1], by one thread at a time; `false` stops the search, the verdict
-                            is `NOT_A_HEAD`, and the obstacle `CANCELLED`}
-      \cgalParamType{convertible to `std::function<bool(double)>`}
-      \cgalParamDefault{unused}
-    \cgalParamNEnd
+    \scPoseCallbackParameter
   \cgalNamedParamsEnd
 
   \return the pose and the verdict
