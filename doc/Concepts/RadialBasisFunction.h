@@ -43,8 +43,8 @@ public:
   /// whether the function has a shape parameter, and with it the members below
   static constexpr bool has_shape_parameter = unspecified;
 
-  /// whether interpolants exist at all; where it is `false` (`Polyharmonic<t>` with an even `t`, `Polyharmonic_logarithmic<t>` with an odd one), the functions that
-  /// use the basis function throw `std::invalid_argument`
+  /// whether interpolants exist at all; where it is `false` (`Polyharmonic<t>` with an even `t`, `Polyharmonic_logarithmic<t>`
+  /// with an odd one), the functions that use the basis function throw `std::invalid_argument`
   static constexpr bool is_valid = unspecified;
 
   /// @}

@@ -25,9 +25,9 @@ enum class Estimation_status : unsigned char
   DEGENERATE, ///< the neighborhood doesn't determine the quantity: coincident or collinear points, a fit that failed
   NON_FINITE_INPUT, ///< the point or the normal of the sample is infinite, NaN, or a zero normal
   UNREFERENCED,     ///< no face is incident to the vertex
-  DUPLICATE, ///< too few neighbors, and another vertex at the very same point: the mesh is a soup of faces, see
-  ///< `CGAL::Polygon_mesh_processing::stitch_borders()`. Told of whole meshes; an estimate of one vertex
-  ///< says `FEW_NEIGHBOURS`
+  /// too few neighbors, and another vertex at the very same point: the mesh is a soup of faces, see
+  /// `CGAL::Polygon_mesh_processing::stitch_borders()`. Told of whole meshes; an estimate of one vertex says `FEW_NEIGHBOURS`
+  DUPLICATE,
   CANCELLED ///< the callback stopped the computation before this sample
 };
 

@@ -66,7 +66,7 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   sphere, a cylinder, a cone, an ellipsoid, a paraboloid, a hyperboloid, as the faces of technical parts do, or on two planes that
   meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are.
   (A surface that was made by moving a profile, with vertices in rows and columns, has five points of the profile within two
-  rings, and a conic goes through any five: it is taken for a quadric, whose curvatures are off by about the third power of the spacing.)
+  rings, and a conic goes through any five: it is taken for a quadric, whose curvatures are not exact, but tend to the surface's.)
 
   Level sets that marching cubes take from a coarse grid are its weak point: they are off in the same direction for some vertices,
   which four rings hardly tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a

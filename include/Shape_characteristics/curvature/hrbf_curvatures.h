@@ -55,10 +55,9 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing beside it.
 
   Distances count alike in all directions. So the triangles should not be much longer than wide: where they are, as CAD programs
-  make them for cylinders, what bends across them is taken for noise. On a tube with a wavy profile, triangles of aspect ratio 10
-  make the default 12 % wrong, and of 30 it is useless, with the status `ESTIMATED`; one fit for each vertex
-  (`fits_are_shared(false)`) is 2.4 % wrong at 10. Normals that are said to be exact, `adaptive_curvatures()` and
-  `jet_fitting_curvatures()` are at most .8 % wrong there.
+  make them for cylinders, what bends across them is taken for noise, and the curvatures are far too small, with the status
+  `ESTIMATED`. One fit for each vertex (`fits_are_shared(false)`) bears somewhat longer ones; normals that are said to be
+  exact, `adaptive_curvatures()` and `jet_fitting_curvatures()` bear all of them.
 
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little, and where normals that
   are said to be exact fit together: see `fits_are_shared`. Which vertices have a fit of their own follows from the order of

@@ -186,8 +186,8 @@ private:
   arcs and all.
 
   What counts is the part of the mesh around the vertex: triangles at vertices that are reached by edges inside of the ball, and
-  at their neighbors. Another sheet that passes through the ball doesn't count. A mesh that isn't closed bounds no solid; where the ball reaches across
-  a border, the surface goes on along rays from the vertex, and, from a vertex on the border, in the tangent plane.
+  at their neighbors. Another sheet that passes through the ball doesn't count. A mesh that isn't closed bounds no solid; where the
+  ball reaches across a border, the surface goes on along rays from the vertex, and, from a vertex on the border, in the tangent plane.
   Across the border, the estimate is smaller in magnitude then: by some percent where the border is three quarters of the
   radius away, by half at the border itself. As everywhere in the library, the status is `BORDER` at vertices on the border.
 

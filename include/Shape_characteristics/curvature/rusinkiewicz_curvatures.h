@@ -63,9 +63,9 @@ private:
   al., Discrete differential-geometry operators for triangulated 2-manifolds, 2003). The principal curvatures and
   directions are its eigenvalues and eigenvectors.
 
-  One of the fastest estimators (`batagelo_wu_curvatures()` is the fastest). The result is as good as the normals; with exact ones its error falls with
-  the square of the edge length on regular meshes, and linearly on others. With normals computed from the mesh it
-  doesn't vanish on irregular meshes.
+  One of the fastest estimators (`batagelo_wu_curvatures()` is the fastest). The result is as good as the normals; with exact
+  ones its error falls with the square of the edge length on regular meshes, and linearly on others. With normals computed
+  from the mesh it doesn't vanish on irregular meshes.
 
   Triangles without an area, or with points or normals that are not finite, count for nothing.
 

@@ -146,9 +146,9 @@ private:
   \cgalNamedParamsEnd
 
   \return the number of points that could not be estimated. Their values are quiet NaN, their status says why:
-          `NON_FINITE_INPUT`, or `DEGENERATE` where the ball meets no surface, or a given normal is within 6° of the tangent
-          plane. The status is `BORDER` where the ball leaves the
-          grid on a side on which the solid reaches the end of the grid.
+          `NON_FINITE_INPUT`, or `DEGENERATE` where the ball meets no surface, or a given normal is within some 6° of the
+          tangent plane. The status is `BORDER` where the ball leaves the grid on a side on which the solid reaches the end of
+          the grid.
 
   \throws std::invalid_argument if `neighbor_radius` is not positive, or not finite
 

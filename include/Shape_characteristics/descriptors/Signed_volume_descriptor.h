@@ -48,8 +48,9 @@ namespace Shape_characteristics {
   neighbor otherwise. Extremal points are fickle: of two scans of a head, the sign is the same in 60 to 80 % of the
   points.
 
-  The status of samples with less than 3 neighbors, or less than 3 samples around that have a value, is `FEW_NEIGHBOURS`, with all of them in a line `DEGENERATE`, and so it is where a volume with a unit is too large for a `float`, or
-  the radius for its square.
+  The status of samples with less than 3 neighbors, or less than 3 samples around that have a value, is `FEW_NEIGHBOURS`. It is
+  `DEGENERATE` with all of them in a line, and where a volume with a unit is too large for a `float`, or the square of the radius
+  for a `double`.
 
   \tparam SampledSurface a model of the concept `SampledSurface`
 

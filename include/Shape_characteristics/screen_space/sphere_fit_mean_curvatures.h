@@ -124,8 +124,9 @@ private:
   \ingroup PkgShapeCharacteristicsScreenSpace
 
   estimates the mean curvatures of what a picture shows, at each of its pixels, by the method of Mellado et al.
-  \cgalCite{mellado_screen} \cgalCite{mellado} (thesis, section 5.4.1): the sphere that fits best to the points and normals in a ball around the pixel's. The radius is given in pixels; how large it
-  is in the scene depends on the distance. Nearer points weigh more.
+  \cgalCite{mellado_screen} \cgalCite{mellado} (thesis, section 5.4.1): the sphere that fits best to the points and normals in a
+  ball around the pixel's. The radius is given in pixels; how large it is in the scene depends on the distance. Nearer points
+  weigh more.
 
   A baseline for `screen_space_curvatures()`, which tells principal curvatures as well, at the cost of five pixels instead of some two
   hundred. It smooths: details smaller than the radius are lost, and near silhouettes and creases the sphere is fitted to both sides.
