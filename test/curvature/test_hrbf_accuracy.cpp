@@ -294,6 +294,42 @@ BOOST_AUTO_TEST_CASE(poles)
   check("exact, 3 rings", exact_three_rings, 1e-3, 1e-3);
 }
 
+// Along their edges, a surface is sampled ever more coarsely.
+BOOST_AUTO_TEST_CASE(long_triangles)
+{
+  std::vector<Analytic_surface> surfaces;
+  constexpr std::size_t around = 40, along = 12;
+  for(const double length : {1., 3., 10., 30., 300.})
+    for(const double jitter : {0., .2})
+    {
+      surfaces.push_back(test_support::cylinder(
+          1., length * 2. * 3.14159265358979324 * double(along) / double(around), around, along, jitter, 3));
+      surfaces.back().name += ", triangles " + std::to_string(int(length)) + " times as long as wide" +
+                              (jitter > 0. ? ", jitter" : "");
+    }
+  surfaces.push_back(test_support::torus(4., 1., 30, 150)); // bends along the edges as well
+  surfaces.push_back(test_support::torus(4., 1., 300, 12));
+  const auto check = [&](const char* name, const auto& estimator, const Normals normals,
+                         const double of_cylinders, const double of_tori)
+  {
+    for(const Analytic_surface& s : surfaces)
+      BOOST_TEST_CONTEXT(name << ", " << s.name)
+      {
+        const Errors e = errors(s, run(estimator, s, normals), 5.);
+        BOOST_TEST_MESSAGE(name << ", " << s.name << ": mean " << e.mean << ", largest " << e.largest
+                                << ", direction " << e.direction);
+        const double bound = s.name == "torus" ? of_tori : of_cylinders;
+        BOOST_TEST(e.largest < bound);
+        BOOST_TEST(e.direction < 3. * bound);
+      }
+  };
+  check("default", by_default, Normals::ESTIMATED, .01, .01);
+  check("3 rings", three_rings, Normals::ESTIMATED, .001, .03);
+  check("shared", shared_by_default, Normals::ESTIMATED, .02, .03);
+  check("exact", exact, Normals::EXACT, 5e-5, 1e-3);
+  check("exact, shared", shared_exact, Normals::EXACT, 3e-4, 1e-3);
+}
+
 namespace {
 
 // mean and Gaussian curvature at the first of `points` by the thesis's system (3.11) with r^3, unscaled and solved by

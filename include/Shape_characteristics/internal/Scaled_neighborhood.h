@@ -2,6 +2,9 @@
 #define SHAPE_CHARACTERISTICS_INTERNAL_SCALED_NEIGHBORHOOD_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Axis_scaling.h>
+#include <Shape_characteristics/internal/Rounded_distance.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -11,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -29,6 +33,8 @@ public:
 
   static constexpr std::size_t desired = 5; // neighbors for which further rings are searched
 
+  static constexpr std::size_t crowd = 48; // neighbors that aren't spread, of which all may have a part
+
   // Collects the neighborhood of sample `i`, of no more than `limit` neighbors, the nearest ones (if they are spread over the
   // surface, or needn't be); if there are less than `desired`, rings grow. All else is undefined if the status isn't one of an
   // estimate.
@@ -39,6 +45,77 @@ public:
                             std::size_t limit = (std::numeric_limits<std::size_t>::max)(),
                             std::size_t desired = Scaled_neighborhood::desired,
                             bool should_spread = false)
+  {
+    const Estimation_status status = gather(surface, i, workspace, limit, desired, should_spread);
+    return is_estimated(status) ? finish(status) : status;
+  }
+
+  /*
+    The same, but where rings reach much farther along one axis of the tangent plane than across it, as those of triangles that are
+    long and thin do, space is compressed along the axis, and `scaling` is not the identity: basis functions take all directions
+    alike. The nearest neighbors are those in that space. The `seen` nearest ones (at least `limit`) tell how it is.
+
+    Balls and nearest neighbors reach as far in all directions. Where theirs are on a line, as of a scanner, nothing evens them out.
+  */
+  template <typename SampledSurface>
+  Estimation_status collect_evenly(const SampledSurface& surface,
+                                   std::size_t i,
+                                   typename SampledSurface::Workspace& workspace,
+                                   std::size_t limit,
+                                   std::size_t desired = Scaled_neighborhood::desired,
+                                   bool should_spread = false,
+                                   std::size_t seen = 0)
+  {
+    using Kind = decltype(surface.neighborhood().kind());
+    if(surface.neighborhood().kind() != Kind::RINGS)
+      return collect(surface, i, workspace, limit, desired, should_spread);
+    Estimation_status status = gather(surface, i, workspace, (std::max)(limit, seen), desired, should_spread);
+    if(!is_estimated(status))
+      return status;
+    if(find_scaling().is_identity() || is_collinear())
+    {
+      if(limit < seen)
+        status = gather(surface, i, workspace, limit, desired, should_spread);
+    }
+    else
+    {
+      gather(surface, i, workspace, (std::numeric_limits<std::size_t>::max)(), desired, false);
+      scaling = find_scaling();
+      even_out(limit);
+    }
+    return finish(status);
+  }
+
+  std::vector<Index> samples;  // the sample is the first
+  std::vector<Vector> points;  // scaled
+  std::vector<Vector> normals; // of unit length
+  double scale = 0.;           // what the points were divided by
+  double nearest_size = 1.;    // root mean square distance of the nearest neighbors, scaled
+  double rounding_error = 0.;  // of coordinates before they were scaled, in the same unit
+  Axis_scaling scaling;        // of space, before the points were scaled; of unit normals, its inverse
+
+private:
+  static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
+  // of the distance, from a quarter of the neighbors to all of them: twice on a surface, four times along a line
+  static constexpr double s_least_growth = 1.3, s_largest_growth = 2.9;
+  static constexpr double s_merged = 1e-3;       // distance below which points are one
+  static constexpr double s_uneven = 2.;         // how much farther away along an axis than across it
+  static constexpr double s_least_factor = 1e-3; // farther apart, points are as good as on a line
+
+  Estimation_status finish(Estimation_status status)
+  {
+    merge();
+    return points.size() <= s_minimum || is_collinear() ? Estimation_status::DEGENERATE : status;
+  }
+
+  // what is left to finish, and to even out
+  template <typename SampledSurface>
+  Estimation_status gather(const SampledSurface& surface,
+                           std::size_t i,
+                           typename SampledSurface::Workspace& workspace,
+                           std::size_t limit,
+                           std::size_t desired,
+                           bool should_spread)
   {
     const Estimation_status status = surface.status(i);
     if(!is_estimated(status))
@@ -52,7 +129,7 @@ public:
     const bool are_nearest =
         number_of_neighbors == neighbors.size() || !should_spread || are_spread(surface, i, neighbors, limit);
     if(!are_nearest)
-      number_of_neighbors = (std::min)(neighbors.size(), (std::max)(2 * limit, s_crowd));
+      number_of_neighbors = (std::min)(neighbors.size(), (std::max)(2 * limit, crowd));
     const Vector& center = surface.point(i);
     samples.resize(number_of_neighbors + 1);
     points.resize(number_of_neighbors + 1);
@@ -89,23 +166,9 @@ public:
         std::numeric_limits<double>::epsilon() * (center.template lpNorm<Eigen::Infinity>() / scale);
     for(Vector& p : points)
       p *= 1. / scale;
-    merge();
-    return points.size() <= s_minimum || is_collinear() ? Estimation_status::DEGENERATE : status;
+    scaling = Axis_scaling();
+    return status;
   }
-
-  std::vector<Index> samples;  // the sample is the first
-  std::vector<Vector> points;  // scaled
-  std::vector<Vector> normals; // of unit length
-  double scale = 0.;           // what the points were divided by
-  double nearest_size = 1.;    // root mean square distance of the nearest neighbors, scaled
-  double rounding_error = 0.;  // of coordinates before they were scaled, in the same unit
-
-private:
-  static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
-  static constexpr std::size_t s_crowd = 48;  // neighbors that aren't spread, of which all may have a part
-  // of the distance, from a quarter of the neighbors to all of them: twice on a surface, four times along a line
-  static constexpr double s_least_growth = 1.3, s_largest_growth = 2.9;
-  static constexpr double s_merged = 1e-3; // distance below which points are one
 
   // Whether the first of the neighbors are spread over a surface, and not along a line. Those of the pole of a sphere of
   // longitudes and latitudes are all as far; those of a vertex beside it are on one circle. (Along a border, the line is the
@@ -124,6 +187,76 @@ private:
       return true;
     const double square = (far / unit).squaredNorm() / (near / unit).squaredNorm();
     return square > s_least_growth * s_least_growth && square < s_largest_growth * s_largest_growth;
+  }
+
+  // the identity if points are about as far in all directions of the tangent plane
+  Axis_scaling find_scaling() const
+  {
+    Vector t1, t2;
+    tangent_basis(normals[0], t1, t2);
+    double xx = 0., xy = 0., yy = 0.;
+    for(const Vector& p : points)
+    {
+      const double x = t1.dot(p), y = t2.dot(p);
+      xx += x * x;
+      xy += x * y;
+      yy += y * y;
+    }
+    const double half_sum = 0.5 * (xx + yy), half_difference = 0.5 * (xx - yy);
+    const double root = std::sqrt(half_difference * half_difference + xy * xy);
+    const double longest = half_sum + root, shortest = (std::max)(half_sum - root, 0.);
+    if(!(longest > s_uneven * s_uneven * shortest))
+      return Axis_scaling();
+    // of two vectors along the axis, the one that isn't a difference
+    const Vector axis = (half_difference > 0. ? Vector((half_difference + root) * t1 + xy * t2)
+                                              : Vector(xy * t1 + (root - half_difference) * t2))
+                            .normalized();
+    // Where space is compressed, slopes grow; where the surface bends away along the axis, they would be steep.
+    double slope = 0.;
+    for(const Vector& n : normals)
+      slope += std::pow(axis.dot(n), 2);
+    slope = std::sqrt(slope / double(normals.size()));
+    return {axis,
+            (std::min)((std::max)({s_uneven * std::sqrt(shortest / longest), slope, s_least_factor}), 1.)};
+  }
+
+  // Compresses space as `scaling` says, and keeps the sample and the `limit` neighbors that are nearest then.
+  void even_out(std::size_t limit)
+  {
+    const Axis_scaling inverse = scaling.inverse();
+    m_places.clear();
+    for(std::size_t k = 0; k < points.size(); ++k)
+    {
+      points[k] = scaling(points[k]);
+      normals[k] = inverse(normals[k]).normalized();
+      m_places.emplace_back(Rounded_distance(1.)(points[k].squaredNorm()), Index(k));
+    }
+    std::sort(m_places.begin() + 1, m_places.end());
+    if(limit < m_places.size())
+      m_places.resize(limit + 1);
+    in_order(samples);
+    in_order(points);
+    in_order(normals);
+    double sum = 0.;
+    for(const Vector& p : points)
+      sum += p.squaredNorm();
+    const double size = std::sqrt(sum / double(points.size() - 1));
+    for(Vector& p : points)
+      p /= size;
+    scale *= size;
+    nearest_size /= size;
+    rounding_error /= size;
+  }
+
+  // those of `m_places`
+  template <typename T>
+  void in_order(std::vector<T>& values) const
+  {
+    std::vector<T> result;
+    result.reserve(m_places.size());
+    for(const auto& place : m_places)
+      result.push_back(values[place.second]);
+    values.swap(result);
   }
 
   // Points closer to each other than any sampling means them to be, with different normals, would make the surface
@@ -162,6 +295,8 @@ private:
     return std::all_of(points.begin(), points.end(),
                        [&](const Vector& p) { return !(p.cross(axis).squaredNorm() > far); });
   }
+
+  std::vector<std::pair<double, Index> > m_places; // rounded squared distances, and where they belong
 };
 
 } // namespace internal

@@ -45,8 +45,9 @@ struct Local_implicit_surface
 
   fits Hermite radial basis functions to the neighborhood of each sample of a surface (thesis, section 8.1).
 
-  Each neighborhood is moved to its sample and scaled to root mean square distance 1. The function's zero set follows
-  the points, its gradient the normals. The basis function chooses the system of equations:
+  Each neighborhood is moved to its sample and scaled to root mean square distance 1; for positive definite basis functions,
+  rings that reach more than twice as far along an axis of the tangent plane as across it are compressed along it before. The
+  function's zero set follows the points, its gradient the normals. The basis function chooses the system of equations:
 
   - a positive definite one, with normals that are exact: value 0 and both tangential derivatives 0 at each of the
     \f$ m \f$ points, and the derivative along the normal 1 at the sample. These are \f$ 3m+1 \f$ equations: of a normal, its
@@ -132,9 +133,10 @@ public:
       result.status = Estimation_status::DEGENERATE;
       return result;
     }
-    result.gradient = jet.gradient;
-    result.hessian = jet.hessian / workspace.neighborhood.scale;
-    result.displacement = workspace.neighborhood.scale * displacement;
+    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    result.gradient = neighborhood.scaling(jet.gradient);
+    result.hessian = neighborhood.scaling(Eigen::Matrix3d(jet.hessian / neighborhood.scale));
+    result.displacement = neighborhood.scale * neighborhood.scaling.inverse()(displacement);
     return result;
   }
 
@@ -146,8 +148,9 @@ public:
                         Workspace& workspace) const
   {
     static_assert(RadialBasisFunction::is_positive_definite);
-    if(!is_estimated(workspace.neighborhood.collect(m_surface, i, workspace.surface, number_of_neighbors,
-                                                    number_of_neighbors)))
+    if(!is_estimated(workspace.neighborhood.collect_evenly(m_surface, i, workspace.surface,
+                                                           number_of_neighbors, number_of_neighbors, false,
+                                                           internal::Scaled_neighborhood::crowd)))
       return std::numeric_limits<double>::quiet_NaN();
     set_up_noisy(workspace);
     const internal::Noisy_fit_attempts noise(workspace.neighborhood, noise_level);
@@ -161,14 +164,15 @@ private:
 
   Estimation_status prepare(std::size_t i, Workspace& workspace) const
   {
-    const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
-    const std::size_t limit =
-        RadialBasisFunction::is_positive_definite
-            ? internal::largest_neighborhood(m_surface.neighborhood(), m_options.normals_are_exact)
-            : (std::numeric_limits<std::size_t>::max)();
-    const bool should_spread = RadialBasisFunction::is_positive_definite && m_options.normals_are_exact;
-    const Estimation_status status = workspace.neighborhood.collect(
-        m_surface, i, workspace.surface, limit, internal::Scaled_neighborhood::desired, should_spread);
+    internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
+    if constexpr(RadialBasisFunction::is_positive_definite)
+    {
+      const bool is_exact = m_options.normals_are_exact;
+      return neighborhood.collect_evenly(m_surface, i, workspace.surface,
+                                         internal::largest_neighborhood(m_surface.neighborhood(), is_exact),
+                                         internal::Scaled_neighborhood::desired, is_exact);
+    }
+    const Estimation_status status = neighborhood.collect(m_surface, i, workspace.surface);
     if constexpr(std::is_same_v<RadialBasisFunction, Exponential_cubic>)
     {
       if(!is_estimated(status))
@@ -266,10 +270,11 @@ private:
       }
       displacement.setZero();
       jet = workspace.system(displacement);
-      internal::step_to_zero_set(jet, displacement);
+      internal::step_to_zero_set(jet, workspace.neighborhood.scaling, displacement);
       if(!internal::is_negligible(displacement))
       {
-        internal::step_to_zero_set(workspace.system(displacement), displacement);
+        internal::step_to_zero_set(workspace.system(displacement), workspace.neighborhood.scaling,
+                                   displacement);
         jet = workspace.system(displacement);
       }
       const internal::Fit_quality quality(jet);

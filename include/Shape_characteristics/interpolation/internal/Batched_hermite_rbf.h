@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_BATCHED_HERMITE_RBF_H
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/internal/Axis_scaling.h>
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
@@ -47,6 +48,7 @@ class Batched_hermite_rbf
     std::size_t first_served, number_of_served; // in the workspace; the center is the first
     Estimation_status status;
     double scale;
+    Axis_scaling scaling; // as in Scaled_neighborhood
     double shape_parameter;
     Vector trend;
     Exact_fit_attempts exact;
@@ -78,6 +80,7 @@ public:
     double normal_noise_level = Noisy_fit_attempts::default_normal_noise_level;
     bool fits_are_shared = true;
     bool large_weights_are_refined = true;
+    bool rings_are_evened_out = true; // see Scaled_neighborhood
   };
 
   class Workspace
@@ -174,9 +177,14 @@ public:
                                std::numeric_limits<double>::quiet_NaN());
     for(std::size_t k = 0; k < samples.size(); ++k)
     {
-      const Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
-      if(!is_estimated(workspace.m_neighborhood.collect(m_surface, samples[k], workspace.m_surface,
-                                                        number_of_neighbors, number_of_neighbors)))
+      Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
+      const Estimation_status status =
+          m_options.rings_are_evened_out
+              ? neighborhood.collect_evenly(m_surface, samples[k], workspace.m_surface, number_of_neighbors,
+                                            number_of_neighbors, false, Scaled_neighborhood::crowd)
+              : neighborhood.collect(m_surface, samples[k], workspace.m_surface, number_of_neighbors,
+                                     number_of_neighbors);
+      if(!is_estimated(status))
         continue;
       Task task = store(neighborhood, workspace);
       for(std::size_t level = 0; level < noise_levels.size(); ++level)
@@ -304,7 +312,7 @@ private:
   {
     Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
     const bool is_exact = m_options.normals_are_exact;
-    const Estimation_status status = neighborhood.collect(
+    const Estimation_status status = neighborhood.collect_evenly(
         m_surface, i, workspace.m_surface, largest_neighborhood(m_surface.neighborhood(), is_exact),
         Scaled_neighborhood::desired, is_exact);
     if(!is_estimated(status))
@@ -329,6 +337,7 @@ private:
     task.first_point = workspace.m_points.size();
     task.number_of_points = neighborhood.points.size();
     task.scale = neighborhood.scale;
+    task.scaling = neighborhood.scaling;
     task.shape_parameter = shape_parameter_of_fit(m_phi, task.number_of_points, m_options.normals_are_exact);
     task.trend =
         m_options.normals_are_exact ? neighborhood.normals[0] : trend_of_noisy_fit(neighborhood.normals);
@@ -466,8 +475,9 @@ private:
         const auto step = [&](const std::size_t lane)
         {
           Hermite_jet jet = batch.jet_of(lane);
-          jet.value /= task_of(lane, first, last, workspace).shape_parameter;
-          step_to_zero_set(jet, displacement[lane]);
+          const Task& task = task_of(lane, first, last, workspace);
+          jet.value /= task.shape_parameter;
+          step_to_zero_set(jet, task.scaling, displacement[lane]);
         };
         for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
         {
@@ -586,16 +596,16 @@ private:
 
     const Estimation_status status = m_surface.status(served.sample);
     const double factor = unit / task.scale;
-    if(output.curvatures)
+    if(output.curvatures && task.scaling.is_identity())
     {
       output.curvatures(served.sample, status, workspace.m_batch.curvatures_of(lane, factor));
       return;
     }
     Local_implicit_surface result;
     result.status = status;
-    result.gradient = gradient;
-    result.hessian = workspace.m_batch.jet_of(lane).hessian * factor;
-    result.displacement = task.scale * displacement;
+    result.gradient = task.scaling(gradient);
+    result.hessian = task.scaling(Eigen::Matrix3d(workspace.m_batch.jet_of(lane).hessian * factor));
+    result.displacement = task.scale * task.scaling.inverse()(displacement);
     output.surface(served.sample, result);
   }
 

@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FIT_RULES_H
 
+#include <Shape_characteristics/internal/Axis_scaling.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -208,10 +209,12 @@ inline std::size_t largest_neighborhood(const Neighborhood& neighborhood, bool i
   return is_exact ? (std::max)(11 * regular / 9, std::size_t(22)) : (std::max)(2 * regular, std::size_t(48));
 }
 
-// a step of Newton's method from `displacement` towards the zero set
-inline void step_to_zero_set(const Hermite_jet& jet, Eigen::Vector3d& displacement)
+// a step of Newton's method from `displacement` towards the zero set, along its normal in space before it was scaled
+inline void
+step_to_zero_set(const Hermite_jet& jet, const Axis_scaling& scaling, Eigen::Vector3d& displacement)
 {
-  displacement -= jet.value / jet.gradient.squaredNorm() * jet.gradient;
+  const Eigen::Vector3d gradient = scaling(jet.gradient);
+  displacement -= jet.value / gradient.squaredNorm() * scaling(gradient);
 }
 
 // whether derivatives are the same before and after a displacement, as far as anybody can tell

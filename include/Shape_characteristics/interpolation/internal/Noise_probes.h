@@ -90,12 +90,16 @@ public:
     typename SampledSurface::Workspace workspace;
     std::size_t usable = 0;
     for(const std::uint32_t i : m_probes)
-      if(const double bending = bending_at(i, workspace); std::isfinite(bending))
-      {
-        ++usable;
-        if(bending < s_gentle_bending)
-          m_gentle.push_back(i);
-      }
+    {
+      Scaled_neighborhood neighborhood;
+      if(!is_estimated(neighborhood.collect_evenly(surface, i, workspace, s_many, s_many, false,
+                                                   Scaled_neighborhood::crowd)))
+        continue;
+      ++usable;
+      if(bending_of(neighborhood) < s_gentle_bending)
+        m_gentle.push_back(i);
+      m_is_uneven = m_is_uneven || !neighborhood.scaling.is_identity();
+    }
     m_surface_bends_little = usable > 0 && 3 * m_gentle.size() >= usable;
     for(std::size_t e = 0; e < s_levels; ++e)
       m_levels[e] = std::pow(10., (double(e) - 12.) / 2.); // variances from 1e-12 to 0.1
@@ -109,7 +113,21 @@ public:
   template <typename RadialBasisFunction>
   double level(const RadialBasisFunction& phi) const
   {
-    const Batched_hermite_rbf<SampledSurface, RadialBasisFunction> fit(m_surface, phi, {});
+    using Fit = Batched_hermite_rbf<SampledSurface, RadialBasisFunction>;
+    // Evened out, a surface may bend more between samples; not evened out, it may bend more than samples far apart can tell.
+    // Either looks like noise; true noise is seen both ways.
+    typename Fit::Options options;
+    const double level = level_of(Fit(m_surface, phi, options));
+    if(!m_is_uneven)
+      return level;
+    options.rings_are_evened_out = false;
+    return (std::min)(level, level_of(Fit(m_surface, phi, options)));
+  }
+
+private:
+  template <typename Fit>
+  double level_of(const Fit& fit) const
+  {
     if(!m_surface_bends_little) // neighborhoods so small that it bends less in them
       return m_levels[evidence_of(fit, m_probes, s_few).lowest_likely(1.5, 0)];
 
@@ -123,7 +141,6 @@ public:
                         .lowest_likely(1., evidence.lowest_likely(1., 0))];
   }
 
-private:
   // how likely each level makes the neighborhoods of some probes
   struct Evidence
   {
@@ -145,12 +162,9 @@ private:
     }
   };
 
-  // root mean square of the differences between a sample's normal and those of its neighbors; infinite without them
-  double bending_at(std::uint32_t i, typename SampledSurface::Workspace& workspace) const
+  // root mean square of the differences between a sample's normal and those of its neighbors
+  static double bending_of(const Scaled_neighborhood& neighborhood)
   {
-    Scaled_neighborhood neighborhood;
-    if(!is_estimated(neighborhood.collect(m_surface, i, workspace, s_many, s_many)))
-      return std::numeric_limits<double>::infinity();
     double sum = 0.;
     for(const Eigen::Vector3d& n : neighborhood.normals)
       sum += (n - neighborhood.normals[0]).squaredNorm();
@@ -193,6 +207,7 @@ private:
   const SampledSurface& m_surface;
   Probes m_probes, m_gentle;
   bool m_surface_bends_little = false; // between the samples of many neighborhoods
+  bool m_is_uneven = false;            // that is what rings around some samples are
   std::vector<double> m_levels;
 };
 
