@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -227,6 +228,63 @@ BOOST_AUTO_TEST_CASE(points)
     }
     for(const SC::Estimation_status e : result_of().second)
       BOOST_TEST(!SC::is_estimated(e));
+  }
+}
+
+// Neighbors on a circle of an ellipsoid that is seen at a low angle are nearly on a line: they don't tell the curvature across it.
+// On rows of long triangles, they do.
+BOOST_AUTO_TEST_CASE(near_a_line)
+{
+  const auto status_and_error = [](const std::vector<Kernel::Point_3>& positions,
+                                   const std::vector<Kernel::Vector_3>& normals, double k_min,
+                                   double k_max) // of the first point
+  {
+    std::vector<std::size_t> items(positions.size());
+    std::iota(items.begin(), items.end(), std::size_t(0));
+    std::vector<Curvatures> curvatures(items.size());
+    std::vector<SC::Estimation_status> status(items.size());
+    SC::goldfeather_interrante_curvatures(
+        items, SC::parameters::point_map(CGAL::make_property_map(positions))
+                   .normal_map(CGAL::make_property_map(normals))
+                   .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
+                   .status_map(CGAL::make_property_map(status))
+                   .number_of_neighbors(unsigned(items.size() - 1)));
+    return std::make_pair(status[0], (std::max)(std::abs(curvatures[0].min_curvature - k_min),
+                                                std::abs(curvatures[0].max_curvature - k_max)));
+  };
+
+  std::vector<Kernel::Point_3> positions;
+  std::vector<Kernel::Vector_3> normals;
+  const double radius = std::sin(.2), slope = std::cos(.2) / 100.;
+  for(const double angle : {0., -.683, -.479, .372})
+  {
+    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    positions.emplace_back(x, y, 0.);
+    normals.emplace_back(x, y, slope);
+  }
+  for(const double unit : {1., 1e-6, 1e6})
+  {
+    std::vector<Kernel::Point_3> scaled;
+    for(const Kernel::Point_3& p : positions)
+      scaled.emplace_back(unit * p.x(), unit * p.y(), unit * p.z());
+    BOOST_TEST((status_and_error(scaled, normals, .01, 5.).first == SC::Estimation_status::DEGENERATE));
+  }
+
+  // a cylinder, 3 by 5 points, and the middle one first
+  for(const double ratio : {1., 10., 100., 1000.})
+  {
+    positions.clear();
+    normals.clear();
+    for(const int i : {0, -1, 1})
+      for(const int j : {0, -2, -1, 1, 2})
+      {
+        const double angle = .05 * double(j);
+        positions.emplace_back(std::cos(angle), std::sin(angle), .05 * ratio * double(i));
+        normals.emplace_back(std::cos(angle), std::sin(angle), 0.);
+      }
+    const auto [status, error] = status_and_error(positions, normals, 0., 1.);
+    BOOST_TEST(SC::is_estimated(status));
+    BOOST_TEST(error < .01);
   }
 }
 

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -49,7 +50,6 @@ private:
   Curvature_estimate fit(std::size_t i, const std::vector<Index>& neighbors) const
   {
     // in the frame of the sample, and of unit size: results don't depend on the unit of length
-    const Vector& p = m_surface.point(i);
     const Vector& n = m_surface.normal(i);
     Vector t1, t2;
     tangent_basis(n, t1, t2);
@@ -57,6 +57,26 @@ private:
     if(!(size > 0. && std::isfinite(size)))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
+    Cubic_fit_equations equations = equations_of(i, neighbors, t1, t2, size);
+    Cubic_fit_equations::Coefficients solution;
+    if(!equations.solve(solution) || are_in_line(equations, i, neighbors, t1, t2, size))
+      return Curvature_estimate(Estimation_status::DEGENERATE);
+
+    // the height is (l x^2 + 2 m x y + n y^2) / 2 + ...: negative where convex
+    return Curvature_estimate(
+        m_surface.status(i),
+        eigen_of_shape_operator(n, -solution[0] / size, -solution[1] / size, -solution[2] / size, t1, t2));
+  }
+
+  // Over the axes `t1` and `t2` of the tangent plane.
+  Cubic_fit_equations equations_of(std::size_t i,
+                                   const std::vector<Index>& neighbors,
+                                   const Vector& t1,
+                                   const Vector& t2,
+                                   double size) const
+  {
+    const Vector& p = m_surface.point(i);
+    const Vector& n = m_surface.normal(i);
     Cubic_fit_equations equations;
     for(const Index j : neighbors)
     {
@@ -70,15 +90,44 @@ private:
       equations.add({c * x, c * y, 0., 3. * c * xx, 2. * c * xy, c * yy, 0.}, -a);
       equations.add({0., c * x, c * y, 0., c * xx, 2. * c * xy, 3. * c * yy}, -b);
     }
-    Cubic_fit_equations::Coefficients solution;
-    if(!equations.solve(solution))
-      return Curvature_estimate(Estimation_status::DEGENERATE);
-
-    // the height is (l x^2 + 2 m x y + n y^2) / 2 + ...: negative where convex
-    return Curvature_estimate(
-        m_surface.status(i),
-        eigen_of_shape_operator(n, -solution[0] / size, -solution[1] / size, -solution[2] / size, t1, t2));
+    return equations;
   }
+
+  // Whether the solved `equations` say little about the curvature across a line that the neighbors are near to. Then what a cubic
+  // polynomial can't describe is taken for that curvature. How near they are doesn't tell: rows of long triangles are near to a
+  // line, too, and determine a polynomial well, where neighbors on one curve don't.
+  bool are_in_line(const Cubic_fit_equations& equations,
+                   std::size_t i,
+                   const std::vector<Index>& neighbors,
+                   const Vector& t1,
+                   const Vector& t2,
+                   double size) const
+  {
+    const double l = equations.error_factor(0), m = equations.error_factor(1), n = equations.error_factor(2);
+    if(l * l + 2. * m * m + n * n < s_largest_error_factor * s_largest_error_factor)
+      return false;
+    // along the line and across it, coefficients differ in size alone, and that plays no role
+    double p = 0., q = 0., r = 0.;
+    for(const Index j : neighbors)
+    {
+      const Vector d = (m_surface.point(j) - m_surface.point(i)) / size;
+      const double x = d.dot(t1), y = d.dot(t2);
+      p += x * x;
+      q += x * y;
+      r += y * y;
+    }
+    const double angle = .5 * std::atan2(2. * q, p - r), cosine = std::cos(angle), sine = std::sin(angle);
+    Cubic_fit_equations along =
+        equations_of(i, neighbors, cosine * t1 + sine * t2, cosine * t2 - sine * t1, size);
+    Cubic_fit_equations::Coefficients solution;
+    return !along.solve(solution) || (std::min)({along.independence(0), along.independence(1),
+                                                 along.independence(2)}) < s_least_independence;
+  }
+
+  // of the shape operator; of usual neighborhoods, below 10; of rows of triangles ten times as long as wide, below 100
+  static constexpr double s_largest_error_factor = 300.;
+  // of usual neighborhoods, above 0.1
+  static constexpr double s_least_independence = .03;
 
   const SampledSurface& m_surface;
 };
@@ -120,7 +169,8 @@ private:
     \scCallbackParameter
   \cgalNamedParamsEnd
 
-  Where points and normals don't determine a polynomial (points on a line, say), the status is `DEGENERATE`.
+  Where points and normals don't determine a polynomial (points on a line, or near to one and on one curve), the status is
+  `DEGENERATE`.
 
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 

@@ -30,7 +30,7 @@ public:
   // combination of those before it; about 0.1 where all is well, and 1e-8 where rounding errors are all there is.
   bool solve(Coefficients& x, double smallest_pivot = 1e-6)
   {
-    Coefficients& d = x; // lengths of the columns of the equations, until the end
+    Coefficients& d = m_lengths;
     for(std::size_t i = 0; i < size; ++i)
     {
       if(!(m_matrix[i][i] > 0.))
@@ -72,9 +72,31 @@ public:
     return true;
   }
 
+  // The part of the `i`th column of the equations, compared to the column, that is no combination of all others. After
+  // solve() only, as the next one.
+  double independence(std::size_t i) const
+  {
+    // column i of the inverse of the triangle: its square is the entry of the inverse of the matrix
+    Coefficients column{};
+    double sum = 0.;
+    for(std::size_t j = i; j < size; ++j)
+    {
+      column[j] = i == j ? 1. : 0.;
+      for(std::size_t k = i; k < j; ++k)
+        column[j] -= m_matrix[j][k] * column[k];
+      column[j] /= m_matrix[j][j];
+      sum += column[j] * column[j];
+    }
+    return 1. / std::sqrt(sum);
+  }
+
+  // How far the `i`th coefficient is off, at most, where the values of the equations are off by a vector of length one.
+  double error_factor(std::size_t i) const { return 1. / (m_lengths[i] * independence(i)); }
+
 private:
   std::array<Coefficients, size> m_matrix{}; // the lower triangle
   Coefficients m_right_side{};
+  Coefficients m_lengths{}; // of the columns of the equations
 };
 
 } // namespace internal
