@@ -529,4 +529,31 @@ BOOST_AUTO_TEST_CASE(points)
   }
 }
 
+// All around a thin cylinder, normals cancel: there is no direction in which the surface is sought.
+BOOST_AUTO_TEST_CASE(normals_that_cancel)
+{
+  const std::size_t rows = 7, columns = 32;
+  std::vector<std::size_t> items(rows * columns);
+  std::iota(items.begin(), items.end(), std::size_t(0));
+  std::vector<Kernel::Point_3> positions;
+  std::vector<Kernel::Vector_3> normals;
+  for(std::size_t i = 0; i < items.size(); ++i)
+  {
+    const double angle = 2. * 3.14159265358979323846 * double(i % columns) / double(columns);
+    positions.emplace_back(std::cos(angle), std::sin(angle), 50. * double(i / columns));
+    normals.emplace_back(std::cos(angle), std::sin(angle), 0.);
+  }
+  std::vector<Curvatures> curvatures(items.size());
+  std::vector<SC::Estimation_status> status(items.size());
+  const std::size_t failures = SC::moving_least_squares_curvatures(
+      items, SC::parameters::point_map(CGAL::make_property_map(positions))
+                 .normal_map(CGAL::make_property_map(normals))
+                 .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
+                 .status_map(CGAL::make_property_map(status))
+                 .neighbor_radius(75.));
+  BOOST_TEST(failures == items.size());
+  for(std::size_t i = 0; i < items.size(); ++i)
+    BOOST_TEST((status[i] == SC::Estimation_status::DEGENERATE && std::isnan(curvatures[i].max_curvature)));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

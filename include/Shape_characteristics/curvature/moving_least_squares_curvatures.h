@@ -133,6 +133,8 @@ private:
 
   static constexpr int s_steps = 12;
   static constexpr double s_longest_move = 1., s_smallest_cosine = .1;
+  // of the mean of the normals: of those around a thin cylinder or a leaf, rounding errors are all there is
+  static constexpr double s_least_normal = 1e-3;
 
   // not all points are on a line along the normal or in the tangent plane
   static bool spans_a_plane(const std::vector<Point>& points, const Vector& n)
@@ -155,6 +157,7 @@ private:
   {
     constexpr double hh = s_width * s_width;
     std::array<Second_order_jet, 3> n;
+    double weights = 0.;
     workspace.weights.clear();
     for(const Point& point : workspace.points)
     {
@@ -168,11 +171,12 @@ private:
       for(int c = 0; c < 3; ++c)
         n[std::size_t(c)].add(theta, point.normal[c]);
       workspace.weights.push_back(theta);
+      weights += weight;
     }
     Second_order_jet square;
     for(const Second_order_jet& component : n)
       square.add(component * component, 1.);
-    if(!(square.value > 1e-200))
+    if(!(square.value > s_least_normal * s_least_normal * weights * weights) || !(square.value > 1e-200))
       return false;
     const double length = std::sqrt(square.value);
     const Second_order_jet inverse = square.composed(1. / length, -.5 / (length * square.value),
