@@ -8,6 +8,7 @@
 #include <CGAL/property_map.h>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -276,7 +277,7 @@ BOOST_AUTO_TEST_CASE(bad_parameters)
   const Surface_mesh mesh = surface_mesh_of(test_support::sphere(1., 1));
   const auto names_degree = [](const std::invalid_argument& e)
   { return std::string(e.what()).find("degree_fitting") != std::string::npos; };
-  for(const int degree : {-1, 0, 1, 13})
+  for(const double degree : {-1., 0., 1., 13., 2.5, std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_EXCEPTION(SC::jet_fitting_curvatures(mesh, SC::parameters::degree_fitting(degree)),
                           std::invalid_argument, names_degree);
   BOOST_CHECK_EXCEPTION(SC::jet_fitting_curvatures(std::vector<Kernel::Point_3>()), std::invalid_argument,

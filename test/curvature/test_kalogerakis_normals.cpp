@@ -225,7 +225,7 @@ BOOST_AUTO_TEST_CASE(points_without_an_answer)
   BOOST_TEST(SC::kalogerakis_normals(empty, of_empty) == 0u);
   BOOST_CHECK_THROW(SC::kalogerakis_normals(mesh, normals, SC::parameters::number_of_rings(0u)),
                     std::invalid_argument);
-  for(const int passes : {-1, 0, 1001})
+  for(const double passes : {-1., 0., 1001., 1.5})
     BOOST_CHECK_THROW(SC::kalogerakis_normals(mesh, normals, SC::parameters::number_of_passes(passes)),
                       std::invalid_argument);
   for(const int passes : {-1, 1001})

@@ -301,7 +301,7 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
       points, maps.neighbor_radius(radius).descriptor_samples(std::vector<unsigned int>{42u}));
   BOOST_TEST(row.values.rows() == 1);
   BOOST_TEST((row.values.row(0) == m.values.row(42)));
-  for(const int width : {-1, 0, 1001})
+  for(const double width : {-1., 0., 1001., 1e12, 2.5, std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_THROW(SC::spin_image_descriptors(points, maps.image_width(width)), std::invalid_argument);
   for(const double angle : {-1., 0., 3.2, std::numeric_limits<double>::quiet_NaN()})
     BOOST_CHECK_THROW(SC::spin_image_descriptors(points, maps.support_angle(angle)), std::invalid_argument);

@@ -364,6 +364,7 @@ BOOST_AUTO_TEST_CASE(bad_input)
     BOOST_CHECK_THROW(align(scene, SC::parameters::maximum_correspondence_distance(d)),
                       std::invalid_argument);
   BOOST_CHECK_THROW(align(scene, SC::parameters::number_of_iterations(0)), std::invalid_argument);
+  BOOST_CHECK_THROW(align(scene, SC::parameters::number_of_iterations(1.5)), std::invalid_argument);
 
   result = align(scene, SC::parameters::number_of_iterations(7));
   BOOST_TEST(!result.has_converged);

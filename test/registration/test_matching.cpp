@@ -530,6 +530,7 @@ BOOST_AUTO_TEST_CASE(bad_input_of_triples)
   throws(P::edge_length_similarity(nan));
   throws(P::normal_tolerance(-1.));
   throws(P::number_of_tuples(-1));
+  throws(P::number_of_tuples(1.5));
   throws(P::tries_per_correspondence(-1));
 }
 

@@ -614,6 +614,18 @@ BOOST_AUTO_TEST_CASE(neighborhoods_without_meaning)
     BOOST_CHECK_THROW(SC::internal::point_set_neighborhood(sp::number_of_neighbors(k)),
                       std::invalid_argument);
   BOOST_CHECK_THROW(SC::internal::mesh_neighborhood(sp::neighbor_radius(nan_value)), std::invalid_argument);
+
+  // numbers of any type, as long as they are whole
+  BOOST_TEST(SC::internal::mesh_neighborhood(sp::number_of_rings(3.)).count() == 3u);
+  BOOST_TEST(SC::internal::point_set_neighborhood(sp::number_of_neighbors(7.f)).count() == 7u);
+  for(const double count : {nan_value, std::numeric_limits<double>::infinity(), 1.5, 1e300, -1e300})
+  {
+    BOOST_CHECK_THROW(SC::internal::mesh_neighborhood(sp::number_of_rings(count)), std::invalid_argument);
+    BOOST_CHECK_THROW(SC::internal::point_set_neighborhood(sp::number_of_neighbors(count)),
+                      std::invalid_argument);
+    BOOST_CHECK_THROW(SC::internal::point_set_neighborhood(sp::number_of_neighbors(float(count))),
+                      std::invalid_argument);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -4,12 +4,17 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
 #include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <cstdint>
 #include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 
 BOOST_AUTO_TEST_SUITE(named_parameters)
@@ -145,6 +150,51 @@ BOOST_AUTO_TEST_CASE(neighborhoods)
   static_assert(number_of_neighborhoods<decltype(cp::neighbor_radius(1.))> == 1);
   BOOST_TEST(SC::internal::mesh_neighborhood(cp::neighbor_radius(.25)).radius() == .25);
   BOOST_TEST(SC::internal::point_set_neighborhood(cp::neighbor_radius(.25)).radius() == .25);
+}
+
+// Counts may be given as numbers of any type. Those that aren't whole, or aren't numbers, are refused by name.
+BOOST_AUTO_TEST_CASE(whole_numbers)
+{
+  using SC::internal::whole_number;
+  const auto message_of = [](const auto& call)
+  {
+    try
+    {
+      call();
+    }
+    catch(const std::invalid_argument& e)
+    {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  const auto passes = [](const auto& np)
+  { return whole_number(np, snp::number_of_passes, std::int64_t(5), "number_of_passes"); };
+  BOOST_TEST(passes(sp::default_values()) == 5);
+  BOOST_TEST(passes(sp::number_of_passes(2u)) == 2);
+  BOOST_TEST(passes(sp::number_of_passes(-2)) == -2);
+  BOOST_TEST(passes(sp::number_of_passes(2.)) == 2);
+  BOOST_TEST(passes(sp::number_of_passes(-2.f)) == -2);
+  BOOST_TEST(passes(sp::number_of_passes(-0x1p63)) == (std::numeric_limits<std::int64_t>::min)());
+  const double infinity = std::numeric_limits<double>::infinity();
+  for(const double count : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity, 1.5, -1e-300})
+  {
+    BOOST_TEST(message_of([&] { passes(sp::number_of_passes(count)); }) ==
+               "Shape_characteristics: number_of_passes must be a whole number");
+    BOOST_TEST(!message_of([&] { passes(sp::number_of_passes(static_cast<long double>(count))); }).empty());
+  }
+  for(const double count : {0x1p63, 1e300, -1e300})
+    BOOST_TEST(message_of([&] { passes(sp::number_of_passes(count)); }) ==
+               "Shape_characteristics: number_of_passes is out of range");
+
+  const auto seed = [](const auto& np)
+  { return whole_number(np, snp::random_seed, std::uint64_t(0), "random_seed"); };
+  const std::uint64_t largest = (std::numeric_limits<std::uint64_t>::max)();
+  BOOST_TEST(seed(sp::random_seed(largest)) == largest);
+  BOOST_TEST(seed(sp::random_seed(-1)) == largest);
+  BOOST_TEST(seed(sp::random_seed(0x1p63)) == std::uint64_t(1) << 63);
+  for(const double count : {-1., 0x1p64})
+    BOOST_CHECK_THROW(seed(sp::random_seed(count)), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -748,11 +748,11 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
   const G_buffer g = picture.g_buffer();
   const float* d = picture.depths.data();
   const float* n = picture.normals.data();
-  for(const int k : {0, 5, -1})
+  for(const double k : {0., 5., -1., 1.5})
     BOOST_CHECK_THROW(SC::screen_space_curvatures(g, sp::number_of_triangles(k)), std::invalid_argument);
-  for(const int k : {0, 1, 4})
+  for(const double k : {0., 1., 4., 2.5})
     BOOST_CHECK_THROW(SC::screen_space_curvatures(g, sp::number_of_edges(k)), std::invalid_argument);
-  for(const int k : {-1, 0, 1, 65})
+  for(const double k : {-1., 0., 1., 65., 2.5})
     BOOST_CHECK_THROW(SC::sphere_fit_mean_curvatures(g, sp::pixel_radius(k)), std::invalid_argument);
   BOOST_CHECK_THROW(G_buffer(-1, 10, d, n, picture.camera), std::invalid_argument);
   BOOST_CHECK_THROW(G_buffer(10, 10, nullptr, n, picture.camera), std::invalid_argument);

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/to_eigen.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
@@ -18,6 +19,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <type_traits>
 #include <vector>
@@ -42,9 +44,8 @@ public:
   template <typename NamedParameters>
   Jet_fitting_estimator(const SampledSurface& surface, const NamedParameters& np) : m_surface(surface)
   {
-    using parameters::choose_parameter;
-    using parameters::get_parameter;
-    const auto degree = choose_parameter(get_parameter(np, internal_np::degree_fitting), 4);
+    const std::int64_t degree =
+        whole_number(np, internal_np::degree_fitting, std::int64_t(4), "degree_fitting");
     // CGAL computes factorials of the degree in unsigned int
     if(degree < 2 || degree > 12)
       throw std::invalid_argument("Shape_characteristics: degree_fitting must be from 2 to 12");

@@ -6,12 +6,15 @@
 #include <Shape_characteristics/descriptors/Spin_image_descriptor.h>
 #include <Shape_characteristics/descriptors/internal/compute_descriptors_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <type_traits>
 
 namespace Shape_characteristics {
@@ -22,7 +25,10 @@ Descriptor_matrix spin_image_descriptors_of(const SampledSurface& surface, const
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const unsigned int image_width = choose_parameter(get_parameter(np, internal_np::image_width), 8u);
+  const std::int64_t given_width = whole_number(np, internal_np::image_width, std::int64_t(8), "image_width");
+  // what is out of its range stays so
+  const auto image_width =
+      static_cast<unsigned int>((std::clamp)(given_width, std::int64_t(0), std::int64_t(1) << 31));
   const double support_angle = choose_parameter(get_parameter(np, internal_np::support_angle), CGAL_PI / 2.);
   return compute_descriptors_of<ConcurrencyTag>(
       Spin_image_descriptor<SampledSurface>(surface, image_width, support_angle), surface.size(), np);

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/to_eigen.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -205,8 +206,8 @@ std::size_t deform_as_rigid_as_possible(FaceGraph& mesh,
   using vertex_descriptor = typename boost::graph_traits<Graph>::vertex_descriptor;
   using Copy = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-  const auto iterations =
-      static_cast<std::int64_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 20));
+  const std::int64_t iterations =
+      internal::whole_number(np, internal_np::number_of_iterations, std::int64_t(20), "number_of_iterations");
   if(iterations < 1)
     throw std::invalid_argument("Shape_characteristics: number_of_iterations must be at least 1");
   const Face_graph_samples surface = internal::surface_to_deform(

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_INTERNAL_PASSES_H
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -10,7 +11,7 @@ namespace Shape_characteristics {
 namespace internal {
 
 // throws if the named parameter has a value without meaning
-inline void check_number_of_passes(long long passes, long long fewest = 1)
+inline void check_number_of_passes(std::int64_t passes, std::int64_t fewest = 1)
 {
   if(passes < fewest || passes > 1000)
     throw std::invalid_argument("Shape_characteristics: number_of_passes must be between " +

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/passes.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
@@ -31,7 +32,7 @@
 namespace Shape_characteristics {
 namespace internal {
 
-inline constexpr long long passes_over_noise = 3; // by default
+inline constexpr std::int64_t passes_over_noise = 3; // by default
 
 // How often one goes from neighbors to neighbors to know all that has a part in the fit at a vertex: once for each pass.
 // With inexact normals, as often as over noise; the neighborhoods that tell of it are within that reach.
@@ -42,8 +43,8 @@ unsigned int reach_of_hermite_rbf(const NamedParameters& np)
   using parameters::get_parameter;
   if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))
     return 1;
-  const auto passes =
-      static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
+  const std::int64_t passes =
+      whole_number(np, internal_np::number_of_passes, std::int64_t(0), "number_of_passes");
   return static_cast<unsigned int>((std::max)(passes_over_noise, passes));
 }
 
@@ -71,15 +72,15 @@ public:
     if(!(m_normal_noise_level >= 0. && std::isfinite(m_normal_noise_level)))
       throw std::invalid_argument(
           "Shape_characteristics: normal_noise_level must be finite and not negative");
-    const long long passes =
-        static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_passes), 0));
+    const std::int64_t passes =
+        whole_number(np, internal_np::number_of_passes, std::int64_t(0), "number_of_passes");
     constexpr bool passes_are_given =
         !parameters::is_default_parameter<NamedParameters, internal_np::number_of_passes_t>::value;
     if(passes_are_given)
       check_number_of_passes(passes);
     m_passes = static_cast<std::size_t>(passes);
     m_sampling_distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
-    m_seed = choose_parameter(get_parameter(np, internal_np::random_seed), 4u);
+    m_seed = whole_number(np, internal_np::random_seed, std::uint64_t(4), "random_seed");
     m_callback = callback_of(np);
     m_fits_are_shared = choose_parameter(get_parameter(np, internal_np::fits_are_shared), true);
 

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Rigid_alignment.h>
@@ -163,8 +164,8 @@ Rigid_alignment fast_global_registration(const Oriented_points& source,
   using parameters::get_parameter;
   const double distance =
       choose_parameter(get_parameter(np, internal_np::maximum_correspondence_distance), 0.025);
-  const auto limit =
-      static_cast<std::int64_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 300));
+  const std::int64_t limit = internal::whole_number(np, internal_np::number_of_iterations, std::int64_t(300),
+                                                    "number_of_iterations");
   if(!(distance > 0. && distance <= 1.))
     throw std::invalid_argument("Shape_characteristics: maximum_correspondence_distance must be in (0, 1]");
   if(limit < 1)

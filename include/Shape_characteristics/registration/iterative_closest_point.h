@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Rigid_alignment.h>
@@ -213,8 +214,8 @@ Rigid_alignment iterative_closest_point(const Oriented_points& source,
   const double distance =
       choose_parameter(get_parameter(np, internal_np::maximum_correspondence_distance), 0.1);
   const double cosine = choose_parameter(get_parameter(np, internal_np::minimum_normal_cosine), 0.7);
-  const auto limit =
-      static_cast<std::int64_t>(choose_parameter(get_parameter(np, internal_np::number_of_iterations), 50));
+  const std::int64_t limit =
+      internal::whole_number(np, internal_np::number_of_iterations, std::int64_t(50), "number_of_iterations");
   if(!(distance > 0.))
     throw std::invalid_argument("Shape_characteristics: maximum_correspondence_distance must be positive");
   if(!(cosine >= -1. && cosine < 1.))

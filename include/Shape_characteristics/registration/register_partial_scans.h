@@ -5,6 +5,7 @@
 #include <Shape_characteristics/internal/affine_conversions.h>
 #include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/normals/Normal_weighting.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
@@ -153,22 +154,19 @@ auto register_partial_scans(const Source& source,
     -> Registration_result<typename internal::Scan_kernel<Source, NamedParametersOfSource>::type>
 {
   using Kernel = typename internal::Scan_kernel<Source, NamedParametersOfSource>::type;
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
 
   internal::Registration_options options;
-  const auto neighbors = static_cast<std::int64_t>(
-      choose_parameter(get_parameter(np_source, internal_np::number_of_neighbors), 60));
-  const auto samples = static_cast<std::int64_t>(
-      choose_parameter(get_parameter(np_source, internal_np::maximum_number_of_samples), 6000));
+  const std::int64_t neighbors = internal::whole_number(np_source, internal_np::number_of_neighbors,
+                                                        std::int64_t(60), "number_of_neighbors");
+  const std::int64_t samples = internal::whole_number(np_source, internal_np::maximum_number_of_samples,
+                                                      std::int64_t(6000), "maximum_number_of_samples");
   if(neighbors < 8)
     throw std::invalid_argument("Shape_characteristics: number_of_neighbors must be at least 8");
   if(samples < 100)
     throw std::invalid_argument("Shape_characteristics: maximum_number_of_samples must be at least 100");
   options.number_of_neighbors = static_cast<std::size_t>(neighbors);
   options.maximum_number_of_samples = static_cast<std::size_t>(samples);
-  options.seed =
-      static_cast<std::uint64_t>(choose_parameter(get_parameter(np_source, internal_np::random_seed), 0));
+  options.seed = internal::whole_number(np_source, internal_np::random_seed, std::uint64_t(0), "random_seed");
   options.callback = internal::callback_of(np_source);
 
   const internal::Registration_outcome outcome = internal::Scan_registrar<ConcurrencyTag>::run(

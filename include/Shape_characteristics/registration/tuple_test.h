@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_REGISTRATION_TUPLE_TEST_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/internal/check_oriented_points.h>
@@ -181,12 +182,12 @@ std::vector<Correspondence> tuple_test(const Oriented_points& source,
   test.tolerance = choose_parameter(get_parameter(np, internal_np::normal_tolerance), 0.3);
   test.tests_orientation = choose_parameter(get_parameter(np, internal_np::orientation_is_tested), true);
   test.tests_normals = choose_parameter(get_parameter(np, internal_np::normals_are_tested), true);
-  const auto tuples =
-      static_cast<std::int64_t>(choose_parameter(get_parameter(np, internal_np::number_of_tuples), 1000));
-  const auto tries = static_cast<std::int64_t>(
-      choose_parameter(get_parameter(np, internal_np::tries_per_correspondence), 100));
-  const auto seed =
-      static_cast<std::uint64_t>(choose_parameter(get_parameter(np, internal_np::random_seed), 0));
+  const std::int64_t tuples =
+      internal::whole_number(np, internal_np::number_of_tuples, std::int64_t(1000), "number_of_tuples");
+  const std::int64_t tries = internal::whole_number(np, internal_np::tries_per_correspondence,
+                                                    std::int64_t(100), "tries_per_correspondence");
+  const std::uint64_t seed =
+      internal::whole_number(np, internal_np::random_seed, std::uint64_t(0), "random_seed");
   if(!(test.similarity >= 0. && test.similarity < 1.))
     throw std::invalid_argument("Shape_characteristics: edge_length_similarity must be in [0, 1)");
   if(!(test.tolerance >= 0.))

@@ -2,9 +2,11 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_NEIGHBORHOOD_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 
 namespace Shape_characteristics {
@@ -80,7 +82,6 @@ inline constexpr int number_of_neighborhoods =
 template <typename NamedParameters>
 Neighborhood mesh_neighborhood(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
@@ -95,8 +96,8 @@ Neighborhood mesh_neighborhood(const NamedParameters& np)
   }
   else
   {
-    const long long rings =
-        static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_rings), 2));
+    const std::int64_t rings =
+        whole_number(np, internal_np::number_of_rings, std::int64_t(2), "number_of_rings");
     if(rings < 1 || rings > 1000000)
       throw std::invalid_argument("Shape_characteristics: number_of_rings must be between 1 and 1000000");
     return Neighborhood::rings(static_cast<unsigned int>(rings));
@@ -107,7 +108,6 @@ Neighborhood mesh_neighborhood(const NamedParameters& np)
 template <typename NamedParameters>
 Neighborhood point_set_neighborhood(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
@@ -122,8 +122,8 @@ Neighborhood point_set_neighborhood(const NamedParameters& np)
   }
   else
   {
-    const long long k =
-        static_cast<long long>(choose_parameter(get_parameter(np, internal_np::number_of_neighbors), 18));
+    const std::int64_t k =
+        whole_number(np, internal_np::number_of_neighbors, std::int64_t(18), "number_of_neighbors");
     if(k < 1)
       throw std::invalid_argument("Shape_characteristics: number_of_neighbors must be positive");
     return Neighborhood::nearest(static_cast<std::size_t>(k));

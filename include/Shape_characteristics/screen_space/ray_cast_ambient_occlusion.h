@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/callback_of.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/screen_space/internal/Ambient_ray_caster.h>
 
@@ -95,8 +96,8 @@ std::size_t ray_cast_ambient_occlusion(const FaceGraph& mesh,
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
-  const auto number_of_rays =
-      static_cast<std::int64_t>(choose_parameter(get_parameter(np, internal_np::number_of_rays), 64));
+  const std::int64_t number_of_rays =
+      internal::whole_number(np, internal_np::number_of_rays, std::int64_t(64), "number_of_rays");
   if(number_of_rays < 1)
     throw std::invalid_argument("ray_cast_ambient_occlusion: `number_of_rays` must be at least 1");
   const double reach = choose_parameter(get_parameter(np, internal_np::maximum_ray_length),

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/passes.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/internal/write_normals.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
@@ -56,10 +57,10 @@ private:
 
 // how often normals are to be estimated anew
 template <typename NamedParameters>
-unsigned int passes_of_kalogerakis(const NamedParameters& np, long long fewest)
+unsigned int passes_of_kalogerakis(const NamedParameters& np, std::int64_t fewest)
 {
-  const auto passes = static_cast<long long>(
-      parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_passes), 2));
+  const std::int64_t passes =
+      whole_number(np, internal_np::number_of_passes, std::int64_t(2), "number_of_passes");
   check_number_of_passes(passes, fewest);
   return static_cast<unsigned int>(passes);
 }

@@ -8,6 +8,7 @@
 #include <Shape_characteristics/head_features/internal/Head_of_mesh.h>
 #include <Shape_characteristics/head_features/internal/Thesis_head_features.h>
 #include <Shape_characteristics/internal/to_eigen.h>
+#include <Shape_characteristics/internal/whole_number.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -16,18 +17,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
 
 // the number of vertices that a parameter of the thesis's method gives
-template <typename Parameter>
-std::size_t number_of_thesis_vertices(const Parameter& given, const char* message)
+template <typename NamedParameters, typename Tag>
+std::size_t number_of_thesis_vertices(const NamedParameters& np, Tag tag, const std::string& name)
 {
-  const auto number = static_cast<std::int64_t>(given);
+  const std::int64_t number = whole_number(np, tag, std::int64_t(0), name.c_str());
   if(number < 1)
-    throw std::invalid_argument(message);
+    throw std::invalid_argument("Shape_characteristics: the thesis's method needs " + name + ", at least 1");
   return static_cast<std::size_t>(number);
 }
 
@@ -38,15 +40,12 @@ Thesis_head_features::Options thesis_options(const NamedParameters& np)
   using parameters::get_parameter;
 
   Thesis_head_features::Options options;
-  options.eye_vertices = number_of_thesis_vertices(
-      choose_parameter(get_parameter(np, internal_np::number_of_eye_vertices), 0),
-      "Shape_characteristics: the thesis's method needs number_of_eye_vertices, at least 1");
-  options.nose_vertices = number_of_thesis_vertices(
-      choose_parameter(get_parameter(np, internal_np::number_of_nose_vertices), 0),
-      "Shape_characteristics: the thesis's method needs number_of_nose_vertices, at least 1");
-  options.ear_vertices = number_of_thesis_vertices(
-      choose_parameter(get_parameter(np, internal_np::number_of_ear_vertices), 0),
-      "Shape_characteristics: the thesis's method needs number_of_ear_vertices, at least 1");
+  options.eye_vertices =
+      number_of_thesis_vertices(np, internal_np::number_of_eye_vertices, "number_of_eye_vertices");
+  options.nose_vertices =
+      number_of_thesis_vertices(np, internal_np::number_of_nose_vertices, "number_of_nose_vertices");
+  options.ear_vertices =
+      number_of_thesis_vertices(np, internal_np::number_of_ear_vertices, "number_of_ear_vertices");
   options.detection_radius = choose_parameter(get_parameter(np, internal_np::detection_radius), 0.);
   if(!(options.detection_radius >= 0.))
     throw std::invalid_argument("Shape_characteristics: detection_radius must not be negative");

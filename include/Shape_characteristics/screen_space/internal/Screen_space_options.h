@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SCREEN_SPACE_INTERNAL_SCREEN_SPACE_OPTIONS_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/screen_space/Camera.h>
 #include <Shape_characteristics/screen_space/Depth_discontinuity_rule.h>
 #include <Shape_characteristics/screen_space/Level_of_detail.h>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <stdexcept>
 
 namespace Shape_characteristics {
@@ -23,16 +25,20 @@ struct Screen_space_options
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
-    number_of_edges = int(choose_parameter(get_parameter(np, internal_np::number_of_edges), 2));
-    number_of_triangles = int(choose_parameter(get_parameter(np, internal_np::number_of_triangles), 4));
+    const std::int64_t edges =
+        whole_number(np, internal_np::number_of_edges, std::int64_t(2), "number_of_edges");
+    const std::int64_t triangles =
+        whole_number(np, internal_np::number_of_triangles, std::int64_t(4), "number_of_triangles");
     level_of_detail =
         choose_parameter(get_parameter(np, internal_np::level_of_detail), Level_of_detail::none());
     rule = choose_parameter(get_parameter(np, internal_np::depth_discontinuity_rule),
                             Depth_discontinuity_rule::TANGENT_PLANES);
-    if(number_of_edges != 2 && number_of_edges != 3)
+    if(edges != 2 && edges != 3)
       throw std::invalid_argument("Shape_characteristics: number_of_edges must be 2 or 3");
-    if(number_of_triangles < 1 || number_of_triangles > 4)
+    if(triangles < 1 || triangles > 4)
       throw std::invalid_argument("Shape_characteristics: number_of_triangles must be in [1, 4]");
+    number_of_edges = int(edges);
+    number_of_triangles = int(triangles);
   }
 
   int number_of_edges, number_of_triangles;

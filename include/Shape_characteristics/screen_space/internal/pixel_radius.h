@@ -2,7 +2,9 @@
 #define SHAPE_CHARACTERISTICS_SCREEN_SPACE_INTERNAL_PIXEL_RADIUS_H
 
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/whole_number.h>
 
+#include <cstdint>
 #include <stdexcept>
 
 namespace Shape_characteristics {
@@ -12,12 +14,10 @@ namespace internal {
 template <typename NamedParameters>
 int pixel_radius(const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
-  const int radius = int(choose_parameter(get_parameter(np, internal_np::pixel_radius), 8));
+  const std::int64_t radius = whole_number(np, internal_np::pixel_radius, std::int64_t(8), "pixel_radius");
   if(radius < 2 || radius > 64)
     throw std::invalid_argument("Shape_characteristics: pixel_radius must be in [2, 64]");
-  return radius;
+  return int(radius);
 }
 
 } // namespace internal
