@@ -628,4 +628,38 @@ BOOST_AUTO_TEST_CASE(neighborhoods_without_meaning)
   }
 }
 
+// In units in which squares of lengths are out of the range of numbers, neighbors are the same as in others.
+BOOST_AUTO_TEST_CASE(extraordinary_units)
+{
+  const Polygon_arrays a = arrays(ellipsoid_of_longitudes(1., .8, .6, 16));
+  const Mesh mesh = build_mesh<Mesh>(a);
+  for(const double unit : {0x1p-1000, 0x1p-560, 0x1p560, 0x1p1000})
+  {
+    Polygon_arrays scaled = a;
+    for(auto& p : scaled.points)
+      p = unit * p;
+    const Mesh other = build_mesh<Mesh>(scaled);
+    for(const bool is_ball : {false, true})
+    {
+      const Neighborhood neighborhood = is_ball ? Neighborhood::ball(.5) : Neighborhood::rings(2);
+      const Neighborhood scaled_neighborhood = is_ball ? Neighborhood::ball(.5 * unit) : neighborhood;
+      const Face_graph_samples expected = samples_of(mesh, neighborhood);
+      const Face_graph_samples samples = samples_of(other, scaled_neighborhood);
+      Face_graph_samples::Workspace v, w;
+      std::size_t differences = 0;
+      for(std::size_t i = 0; i < samples.size(); ++i)
+        differences += samples.neighbors(i, 0, v) != expected.neighbors(i, 0, w);
+      BOOST_TEST(differences == 0u);
+
+      const Mesh::Vertex_index center(7);
+      std::vector<Mesh::Vertex_index> copied, of_scaled;
+      const Face_graph_samples around(center, mesh, get(CGAL::vertex_point, mesh), neighborhood, 1, copied);
+      const Face_graph_samples scaled_around(center, other, get(CGAL::vertex_point, other),
+                                             scaled_neighborhood, 1, of_scaled);
+      BOOST_TEST((of_scaled == copied));
+      BOOST_TEST((scaled_around.neighbors(0, 0, v) == around.neighbors(0, 0, w)));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -98,4 +98,31 @@ BOOST_AUTO_TEST_CASE(points_and_places_that_are_not_finite)
   BOOST_TEST(SC::Nearest_point_search({{nan, nan, nan}}).nearest({0., 0., 0.}) == none);
 }
 
+// Squares of the lengths are out of the range of numbers.
+BOOST_AUTO_TEST_CASE(extraordinary_units)
+{
+  Random random(8);
+  Points points, places;
+  for(int i = 0; i < 200; ++i)
+  {
+    points.push_back(random_point(random));
+    places.push_back(random_point(random));
+  }
+  const SC::Nearest_point_search expected(points);
+  for(const double unit : {0x1p-1000, 0x1p-560, 0x1p560, 0x1p1000})
+  {
+    Points scaled = points;
+    for(Eigen::Vector3d& p : scaled)
+      p *= unit;
+    const SC::Nearest_point_search search(scaled);
+    for(std::size_t i = 0; i < places.size(); ++i)
+    {
+      for(const double distance : {std::numeric_limits<double>::infinity(), .1})
+        BOOST_TEST(search.nearest(unit * places[i], unit * distance) ==
+                   expected.nearest(places[i], distance));
+      BOOST_TEST(search.nearest_elsewhere(i) == expected.nearest_elsewhere(i));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -433,4 +433,45 @@ BOOST_AUTO_TEST_CASE(rings_need_a_mesh)
   BOOST_CHECK_THROW(samples_of(random_points(5, 1), Neighborhood::rings(1)), std::invalid_argument);
 }
 
+// In units in which squares of lengths are out of the range of numbers, neighbors are the same as in others.
+BOOST_AUTO_TEST_CASE(extraordinary_units)
+{
+  for(const std::vector<Point_3>& points : {random_points(300, 11), grid(8)})
+    for(const Neighborhood& neighborhood : {Neighborhood::nearest(12), Neighborhood::ball(1.2)})
+      for(const double unit : {0x1p-1000, 0x1p-560, 0x1p-500, 0x1p500, 0x1p560, 0x1p1000})
+      {
+        const Point_set_samples expected = samples_of(points, neighborhood);
+        std::vector<Point_3> scaled;
+        for(const Point_3& p : points)
+          scaled.emplace_back(unit * p.x(), unit * p.y(), unit * p.z());
+        const bool is_ball = neighborhood.kind() == Neighborhood::Kind::BALL;
+        const Point_set_samples samples =
+            samples_of(scaled, is_ball ? Neighborhood::ball(1.2 * unit) : neighborhood);
+        Point_set_samples::Workspace a, b;
+        std::size_t differences = 0;
+        for(std::size_t i = 0; i < points.size(); ++i)
+          differences += samples.neighbors(i, 0, a) != expected.neighbors(i, 0, b) ||
+                         samples.spacing(i) != unit * expected.spacing(i) || samples.has_coincident_points(i);
+        BOOST_TEST(differences == 0u);
+        BOOST_TEST((samples.traversal_order() == expected.traversal_order()));
+      }
+
+  // One point that is far away doesn't make the unit extraordinary for all, ...
+  std::vector<Point_3> points = random_points(300, 12);
+  const Point_set_samples expected = samples_of(points, Neighborhood::nearest(12));
+  points.emplace_back(1e308, -1e308, 1e308);
+  const Point_set_samples samples = samples_of(points, Neighborhood::nearest(12));
+  Point_set_samples::Workspace a, b;
+  for(std::size_t i = 0; i + 1 < points.size(); ++i)
+    BOOST_TEST((samples.neighbors(i, 0, a) == expected.neighbors(i, 0, b)));
+  // ... and a few that are so close that nothing tells their distances apart are one.
+  points = random_points(300, 12);
+  for(int k = 0; k < 5; ++k)
+    points.emplace_back(1e-170 * double(k), 0., 0.);
+  const Point_set_samples crowded = samples_of(points, Neighborhood::nearest(4));
+  for(std::size_t i = 300; i < points.size(); ++i)
+    for(const auto j : crowded.neighbors(i, 0, a))
+      BOOST_TEST(j < 300u);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

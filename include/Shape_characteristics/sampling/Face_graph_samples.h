@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/large_pages.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 #include <Shape_characteristics/sampling/internal/make_unit.h>
@@ -178,9 +179,9 @@ public:
     }
     else
     {
-      const double radius = reach * m_neighborhood.reach();
+      const double radius = reach * m_neighborhood.reach(), scale = internal::scale_to_range(radius);
       for(; begin != copied.size(); ++begin)
-        if((m_points[begin] - m_points[0]).norm() <= radius)
+        if((scale * (m_points[begin] - m_points[0])).norm() <= scale * radius)
           copy_neighbors(copied[begin]);
     }
     // All the faces of all of them, whole: the neighbors of the inner vertices have their normals. Those who look at
@@ -914,9 +915,10 @@ private:
 
   void collect_ball(std::size_t i, Workspace& workspace) const
   {
-    const double squared_reach = m_neighborhood.reach() * m_neighborhood.reach();
+    const double scale = internal::scale_to_range(m_neighborhood.reach());
+    const double reach = scale * m_neighborhood.reach();
     const auto in_ball = [&](const Index j)
-    { return (m_points[j] - m_points[i]).squaredNorm() <= squared_reach; };
+    { return (scale * (m_points[j] - m_points[i])).squaredNorm() <= reach * reach; };
 
     begin_query(i, workspace);
     add_adjacent(i, workspace, in_ball);

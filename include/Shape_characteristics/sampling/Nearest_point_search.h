@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_SAMPLING_NEAREST_POINT_SEARCH_H
 
 #include <Shape_characteristics/sampling/internal/Kd_tree.h>
+#include <Shape_characteristics/sampling/internal/typical_distance.h>
 
 #include <Eigen/Core>
 
@@ -30,7 +31,9 @@ public:
   /// \throws std::length_error if there are more than \f$ 2^{32} - 2 \f$ points
   ///
   /// Complexity: \f$ O(n \log n) \f$.
-  explicit Nearest_point_search(const std::vector<Eigen::Vector3d>& points) : m_tree(checked(points)) {}
+  explicit Nearest_point_search(const std::vector<Eigen::Vector3d>& points)
+    : m_tree(checked(points), internal::typical_distance(points))
+  {}
 
   /*!
     returns the point nearest to `place`, of equally near ones the one with the lowest number; `none` if there is none
@@ -41,7 +44,7 @@ public:
   Index nearest(const Eigen::Vector3d& place,
                 double maximum_distance = std::numeric_limits<double>::infinity()) const
   {
-    return search(place, maximum_distance, false);
+    return place.allFinite() ? search(m_tree.scaled(place), m_tree.scale() * maximum_distance, false) : none;
   }
 
   /// returns the point nearest to point `i` among those with other coordinates, or `none`; see `nearest()`.
@@ -71,9 +74,10 @@ private:
     }
   };
 
+  // in the unit of the tree
   Index search(const Eigen::Vector3d& place, double maximum_distance, bool elsewhere) const
   {
-    if(m_tree.entries().empty() || !place.allFinite())
+    if(m_tree.entries().empty())
       return none;
     Search search{place, maximum_distance * maximum_distance, elsewhere};
     m_tree.search(place, search);

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/sampling/internal/make_unit.h>
 #include <Shape_characteristics/sampling/internal/mean_of.h>
 #include <Shape_characteristics/sampling/internal/neighbor_order.h>
+#include <Shape_characteristics/sampling/internal/typical_distance.h>
 
 #include <CGAL/number_utils.h>
 #include <CGAL/property_map.h>
@@ -67,7 +68,9 @@ public:
   Point_set_samples(const PointRange& points, const PointMap& point_map, const Neighborhood& neighborhood)
     : m_neighborhood(checked(neighborhood)),
       m_points(copy(points, point_map)),
-      m_tree(m_points),
+      m_tree(m_points,
+             neighborhood.kind() == Neighborhood::Kind::BALL ? neighborhood.radius()
+                                                             : internal::typical_distance(m_points)),
       m_rounded(m_tree.extent() * m_tree.extent())
   {
     m_status.assign(size(), Estimation_status::ESTIMATED);
@@ -116,7 +119,8 @@ public:
     if(m_neighborhood.kind() == Neighborhood::Kind::BALL)
     {
       auto in_ball = [&](const Entry& entry) { add(entry.index); };
-      Ball_search<decltype(in_ball)> search{m_neighborhood.reach() * m_neighborhood.reach(), in_ball};
+      const double reach = m_tree.scale() * m_neighborhood.reach();
+      Ball_search<decltype(in_ball)> search{reach * reach, in_ball};
       m_tree.search(m_tree.point(i), search);
     }
     else
@@ -153,7 +157,7 @@ public:
     std::size_t number = 0;
     if(m_tree.contains(i))
       for(std::size_t j = 0, found = collect_nearest(i, nearest.data(), count); j < found; ++j)
-        if(const double d = (m_points[nearest[j].second] - m_points[i]).norm(); std::isfinite(d))
+        if(const double d = spacing_between(nearest[j].second, i); std::isfinite(d))
         {
           // in ascending order, whatever the points' own: the sum then has the same bits
           std::size_t k = number++;
@@ -301,7 +305,8 @@ private:
     double squared_radius() const { return radius; }
     void operator()(const Entry& entry, double squared_distance)
     {
-      if(squared_distance > radius || entry.point == center)
+      // points that are so close that squares don't tell them apart are one
+      if(squared_distance > radius || squared_distance < (std::numeric_limits<double>::min)())
         return;
       const Candidate candidate(samples.m_rounded(squared_distance), entry.index);
       if(size < capacity)
@@ -322,6 +327,11 @@ private:
                                                     samples.m_tree.point(b.second));
     }
   };
+
+  double spacing_between(std::size_t i, std::size_t j) const
+  {
+    return (m_tree.scale() * (m_points[i] - m_points[j])).norm() / m_tree.scale();
+  }
 
   // returns how many there are, at most `count`
   std::size_t collect_nearest(std::size_t i, Candidate* nearest, std::size_t count) const

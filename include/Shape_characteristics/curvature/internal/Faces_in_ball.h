@@ -7,6 +7,7 @@
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -56,7 +57,8 @@ public:
     : m_samples(samples),
       m_workspace(workspace),
       m_center(samples.point(i)),
-      m_radius(radius)
+      m_radius(radius),
+      m_scale(scale_to_range(radius))
   {
     Workspace& w = workspace;
     if(w.m_visited_vertices.size() != samples.size() ||
@@ -172,7 +174,7 @@ private:
         if(w.m_visited_vertices[u] == w.m_query)
           continue;
         w.m_visited_vertices[u] = w.m_query;
-        const bool is_inside = (m_samples.point(u) - m_center).norm() <= m_radius;
+        const bool is_inside = (m_scale * (m_samples.point(u) - m_center)).norm() <= m_scale * m_radius;
         (is_inside ? w.m_vertices : w.m_outer).push_back(u);
       }
     }
@@ -201,7 +203,7 @@ private:
   const Face_graph_samples& m_samples;
   Workspace& m_workspace;
   Eigen::Vector3d m_center;
-  double m_radius;
+  double m_radius, m_scale;
 };
 
 // The radius of the ball at vertex `i`: that of the neighborhood, or as many times the mean length of the sides of its

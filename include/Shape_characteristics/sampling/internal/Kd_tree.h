@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/internal/Rounded_comparison.h>
 #include <Shape_characteristics/internal/large_pages.h>
+#include <Shape_characteristics/internal/scale_to_range.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -28,12 +29,15 @@ public:
     std::uint32_t index;
   };
 
-  explicit Kd_tree(const std::vector<Eigen::Vector3d>& points)
+  // Of points in the unit in which lengths that matter are about as large as `length`: all coordinates and distances are multiplied
+  // by scale().
+  explicit Kd_tree(const std::vector<Eigen::Vector3d>& points, double length)
+    : m_scale(scale_to_range(length))
   {
     reserve_large_pages(m_entries, points.size());
     for(std::size_t i = 0; i < points.size(); ++i)
       if(points[i].allFinite())
-        m_entries.push_back({points[i], std::uint32_t(i)});
+        m_entries.push_back({scaled(points[i]), std::uint32_t(i)});
     if(!m_entries.empty())
       m_extent = box_of(0, m_entries.size()).sizes().maxCoeff();
     std::size_t number_of_leaves = 1;
@@ -47,6 +51,13 @@ public:
   }
 
   const std::vector<Entry>& entries() const noexcept { return m_entries; }
+  double scale() const noexcept { return m_scale; }
+  // `p` in the unit of the tree; finite
+  Eigen::Vector3d scaled(const Eigen::Vector3d& p) const
+  {
+    constexpr double largest = (std::numeric_limits<double>::max)();
+    return (m_scale * p).cwiseMax(-largest).cwiseMin(largest);
+  }
   // longest edge of the box around all points
   double extent() const noexcept { return m_extent; }
   // whether point `i` is finite
@@ -147,7 +158,7 @@ private:
   std::vector<Entry> m_entries;
   std::vector<std::uint32_t> m_place; // of the points among the entries
   std::vector<Node> m_nodes;
-  double m_extent = 0.;
+  double m_extent = 0., m_scale;
 };
 
 } // namespace internal

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/Rounded_order.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/internal/scale_to_range.h>
 
 #include <Eigen/Core>
 
@@ -90,21 +91,38 @@ private:
 template <typename Samples>
 void Neighbor_order::sort(const Samples& samples, std::size_t center, std::vector<std::uint32_t>& neighbors)
 {
-  const Eigen::Vector3d& p = samples.point(center);
   const std::size_t n = neighbors.size();
   m_squares.resize(n);
-  double largest = 0.;
-  for(std::size_t k = 0; k < n; ++k)
+  double scale = 1., largest = 0.;
+  const auto square_all = [&]
   {
-    m_squares[k] = (samples.point(neighbors[k]) - p).squaredNorm();
-    largest = (std::max)(largest, m_squares[k]);
+    largest = 0.;
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      m_squares[k] = (scale * (samples.point(neighbors[k]) - samples.point(center))).squaredNorm();
+      largest = (std::max)(largest, m_squares[k]);
+    }
+  };
+  square_all();
+  if(!(largest > 1e-140 && largest < 1e140)) // the smallest may be out of the range of numbers
+  {
+    double farthest = 0.;
+    for(std::size_t k = 0; k < n; ++k)
+      farthest =
+          (std::max)(farthest, (samples.point(neighbors[k]) - samples.point(center)).cwiseAbs().maxCoeff());
+    scale = scale_to_range(farthest);
+    square_all();
   }
+  const Eigen::Vector3d p = scale * samples.point(center);
   const Rounded_distance rounded(largest);
   m_distances.resize(n);
   for(std::size_t k = 0; k < n; ++k)
     m_distances[k] = {rounded(m_squares[k]), neighbors[k]};
   const auto is_before = [&](const Key& a, const Key& b)
-  { return comes_before(samples, p, rounded, a, samples.point(a.second), b, samples.point(b.second)); };
+  {
+    return comes_before(samples, p, rounded, a, scale * samples.point(a.second), b,
+                        scale * samples.point(b.second));
+  };
   if(n <= s_most_ranked)
     sort_few(is_before);
   else
