@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/descriptors/Fpfh_variant.h>
 #include <Shape_characteristics/descriptors/internal/pair_features.h>
+#include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
 #include <CGAL/tags.h>
@@ -296,12 +297,16 @@ private:
   {
     const std::pair<const Index*, const Index*> list = neighbors(i);
     const Eigen::Vector3d p = m_surface.point(i);
-    const auto squared_distance = [&](const Index j) { return (m_surface.point(j) - p).squaredNorm(); };
-    // The nearest neighbor has the weight 1: numbers of single precision are enough whatever the unit.
     const Index* first = list.first;
-    double nearest = 0.;
-    while(first != list.second && !((nearest = squared_distance(*first)) > 0.))
+    while(first != list.second && m_surface.point(*first) == p)
       ++first;
+    if(first == list.second)
+      return false;
+    const double in_range = internal::scale_to_range((m_surface.point(*first) - p).cwiseAbs().maxCoeff());
+    const auto squared_distance = [&](const Index j)
+    { return (in_range * (m_surface.point(j) - p)).squaredNorm(); };
+    // The nearest neighbor has the weight 1: numbers of single precision are enough whatever the unit.
+    const double nearest = squared_distance(*first);
     std::array<float, s_stride> sum{};
     for(; first != list.second; ++first)
     {

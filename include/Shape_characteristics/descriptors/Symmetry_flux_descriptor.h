@@ -6,6 +6,7 @@
 #include <Shape_characteristics/descriptors/Signal_scaling.h>
 #include <Shape_characteristics/descriptors/internal/Clipped_patch.h>
 #include <Shape_characteristics/descriptors/internal/neighborhood_extent.h>
+#include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <CGAL/number_type_config.h>
@@ -147,10 +148,12 @@ private:
     if constexpr(std::is_same_v<SampledSurface, Face_graph_samples>)
       if(m_method != Flux_method::POINTS)
       {
-        const internal::Clipped_patch patch(m_surface, i, radius, workspace.m_patch);
+        const double scale = internal::scale_to_range(radius), scaled_radius = scale * radius;
+        const internal::Clipped_patch patch(m_surface, i, radius, scale, workspace.m_patch);
         const double sum =
             m_method == Flux_method::BOUNDARY ? patch.flux_by_boundary() : patch.flux_through_triangles();
-        return is_unit_free ? sum / radius / radius / radius : sum;
+        return is_unit_free ? sum / scaled_radius / scaled_radius / scaled_radius
+                            : sum / scale / scale / scale;
       }
 
     const Eigen::Vector3d &p = m_surface.point(i), &n = m_surface.normal(i);

@@ -17,7 +17,7 @@ namespace Shape_characteristics {
 namespace internal {
 
 // The part of a triangle mesh in a ball around a vertex that is connected with the vertex within the ball, and the flux of the
-// field (P - X) x n through it, where P is the vertex and n its normal.
+// field (P - X) x n through it, where P is the vertex and n its normal, in units of lengths multiplied by `scale`.
 class Clipped_patch
 {
 public:
@@ -31,11 +31,16 @@ public:
     Index query = 0;
   };
 
-  Clipped_patch(const Face_graph_samples& mesh, std::size_t vertex, double radius, Workspace& workspace)
+  Clipped_patch(const Face_graph_samples& mesh,
+                std::size_t vertex,
+                double radius,
+                double scale,
+                Workspace& workspace)
     : m_mesh(mesh),
       m_center(mesh.point(vertex)),
       m_normal(mesh.normal(vertex)),
-      m_squared_radius(radius * radius),
+      m_scale(scale),
+      m_squared_radius(scale * radius * (scale * radius)),
       m_faces(workspace.faces)
   {
     begin(workspace);
@@ -183,7 +188,8 @@ private:
 
   Part part_between(Index i, Index j) const
   {
-    const Vector a = m_mesh.point(i) - m_center, b = m_mesh.point(j) - m_center, d = b - a;
+    const Vector a = m_scale * (m_mesh.point(i) - m_center), b = m_scale * (m_mesh.point(j) - m_center);
+    const Vector d = b - a;
     const bool cuts_begin = a.squaredNorm() > m_squared_radius, cuts_end = b.squaredNorm() > m_squared_radius;
     if(!cuts_begin && !cuts_end)
       return {a, b, false, false};
@@ -200,7 +206,7 @@ private:
 
   const Face_graph_samples& m_mesh;
   Vector m_center, m_normal;
-  double m_squared_radius;
+  double m_scale, m_squared_radius;
   std::vector<Index>& m_faces;
 };
 

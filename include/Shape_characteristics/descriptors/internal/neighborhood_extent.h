@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_DESCRIPTORS_INTERNAL_NEIGHBORHOOD_EXTENT_H
 #define SHAPE_CHARACTERISTICS_DESCRIPTORS_INTERNAL_NEIGHBORHOOD_EXTENT_H
 
+#include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
 #include <Eigen/Core>
@@ -21,7 +22,9 @@ double neighborhood_radius(const SampledSurface& surface, std::size_t i, const s
 {
   if(surface.neighborhood().kind() == Neighborhood::Kind::BALL)
     return surface.neighborhood().radius();
-  return (surface.point(neighbors.back()) - surface.point(i)).norm();
+  const Eigen::Vector3d d = surface.point(neighbors.back()) - surface.point(i);
+  const double scale = scale_to_range(d.cwiseAbs().maxCoeff());
+  return (scale * d).norm() / scale;
 }
 
 // What coordinates around `p` are off by because they are rounded, where differences of `radius` are looked at.
@@ -36,11 +39,13 @@ template <typename SampledSurface, typename Index>
 bool is_collinear(const SampledSurface& surface, std::size_t i, const std::vector<Index>& neighbors)
 {
   const Eigen::Vector3d& p = surface.point(i);
-  const Eigen::Vector3d line = surface.point(neighbors.back()) - p;
+  Eigen::Vector3d line = surface.point(neighbors.back()) - p;
+  const double scale = scale_to_range(line.cwiseAbs().maxCoeff());
+  line *= scale;
   const double length = line.norm();
-  const double tolerance = 2. * rounding_error(p, length) * length;
+  const double tolerance = 2. * rounding_error(scale * p, length) * length;
   for(const Index j : neighbors)
-    if((surface.point(j) - p).cross(line).norm() > tolerance)
+    if((scale * (surface.point(j) - p)).cross(line).norm() > tolerance)
       return false;
   return true;
 }

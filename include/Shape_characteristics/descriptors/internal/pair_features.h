@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_DESCRIPTORS_INTERNAL_PAIR_FEATURES_H
 #define SHAPE_CHARACTERISTICS_DESCRIPTORS_INTERNAL_PAIR_FEATURES_H
 
+#include <Shape_characteristics/internal/scale_to_range.h>
+
 #include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
@@ -93,11 +95,12 @@ private:
   {
     if(first == last)
       return;
-    const Eigen::Vector3d p = surface.point(center);
-    const double size = (surface.point(*(last - 1)) - p).norm();
+    const Eigen::Vector3d p = surface.point(center), farthest = surface.point(*(last - 1)) - p;
+    const double in_range = scale_to_range(farthest.cwiseAbs().maxCoeff());
+    const double size = (in_range * farthest).norm();
     const double scale = size > 0. ? 1. / size : 0.;
     for(; first != last; ++first)
-      put((surface.point(*first) - p) * scale, surface.normal(*first));
+      put(in_range * (surface.point(*first) - p) * scale, surface.normal(*first));
   }
 
   void put(const Eigen::Vector3d& point, const Eigen::Vector3d& normal)
