@@ -6,6 +6,7 @@
 #include <Shape_characteristics/descriptors/Signed_volume_method.h>
 #include <Shape_characteristics/descriptors/internal/curvature_moment.h>
 #include <Shape_characteristics/descriptors/internal/neighborhood_extent.h>
+#include <Shape_characteristics/descriptors/internal/status_of_row.h>
 
 #include <CGAL/number_type_config.h>
 
@@ -118,12 +119,7 @@ public:
     for(std::size_t k = 0; k < 2; ++k)
       row[k] = float(
           unit * volume(i, neighbors, radius, m_curvatures[k], k == 0 ? 1. / radius : 1. / radius / radius));
-    if(!std::isfinite(row[0]) || !std::isfinite(row[1])) // too large, or too large a radius
-    {
-      row[0] = row[1] = std::numeric_limits<float>::quiet_NaN();
-      return Estimation_status::DEGENERATE;
-    }
-    return status;
+    return internal::status_of_row(row, dimension(), status);
   }
 
   /// writes to `result` the volumes that the sample has on the mirrored surface, if `row` has those that it has here: the negative

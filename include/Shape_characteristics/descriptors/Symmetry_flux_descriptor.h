@@ -6,6 +6,7 @@
 #include <Shape_characteristics/descriptors/Signal_scaling.h>
 #include <Shape_characteristics/descriptors/internal/Clipped_patch.h>
 #include <Shape_characteristics/descriptors/internal/neighborhood_extent.h>
+#include <Shape_characteristics/descriptors/internal/status_of_row.h>
 #include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
@@ -111,12 +112,7 @@ public:
         value = flux(i, neighbors, workspace);
     }
     *row = float(value);
-    if(is_estimated(status) && !std::isfinite(*row)) // too large, or too small a radius
-    {
-      *row = std::numeric_limits<float>::quiet_NaN();
-      return Estimation_status::DEGENERATE;
-    }
-    return status;
+    return internal::status_of_row(row, dimension(), status);
   }
 
   /// writes to `result` the flux that the sample has on the mirrored surface, if `row` is the one that it has here: the negative
