@@ -416,6 +416,27 @@ BOOST_AUTO_TEST_CASE(more_points_than_are_used)
   BOOST_TEST(error(source, other.transformation, some_motion().inverse()) < .03);
 }
 
+// Which points are kept, and how sums are rounded, has nothing to do with their order.
+BOOST_AUTO_TEST_CASE(order_of_the_points)
+{
+  Scan target = left_part(1), source = moved(right_part(2), some_motion());
+  const auto result_of = [&]
+  {
+    return SC::register_partial_scans<CGAL::Sequential_tag>(source, target,
+                                                            maps().maximum_number_of_samples(900), maps());
+  };
+  const Result expected = result_of();
+  BOOST_TEST(int(expected.verdict) == int(Registration_verdict::SUCCESS));
+  std::mt19937 generator(5);
+  for(Scan* scan : {&source, &target})
+    for(std::size_t i = scan->size() - 1; i > 0; --i)
+      std::swap((*scan)[i], (*scan)[generator() % (i + 1)]);
+  const Result result = result_of();
+  BOOST_TEST(int(result.verdict) == int(expected.verdict));
+  BOOST_TEST((to_eigen(result.transformation).matrix() == to_eigen(expected.transformation).matrix()));
+  BOOST_TEST(result.quality.agreement == expected.quality.agreement);
+}
+
 BOOST_AUTO_TEST_CASE(no_overlap)
 {
   const Scan target = scan_of<Lumpy_ball>(2600, 1, [](const Vector3d& p) { return p.x() < -.1; });

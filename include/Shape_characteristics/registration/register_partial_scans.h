@@ -68,7 +68,9 @@ Oriented_points oriented_points_of(const Scan& scan, const NamedParameters& np)
   it is near. Where that isn't convincing, neighborhoods of other sizes are tried; where it is, other motions that might do as
   well.
 
-  No parameter has a unit, and nothing depends on the unit, the place and the pose of the scans, up to rounding.
+  No parameter has a unit, and nothing depends on the unit and the place of the scans, up to rounding, nor on the order of their
+  points. Which points are kept of more than `maximum_number_of_samples` depends a little on the pose, and the motion by a part of their
+  distance.
 
   \scConcurrencyTag
   \tparam Source a model of `FaceListGraph`, or of `ConstRange` for a point set with normals

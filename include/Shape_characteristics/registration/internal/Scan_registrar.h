@@ -5,6 +5,8 @@
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
+#include <Shape_characteristics/internal/Rounded_distance.h>
+#include <Shape_characteristics/internal/lexicographically_smaller.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Registration_quality.h>
@@ -32,6 +34,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -72,7 +75,7 @@ public:
   static Registration_outcome
   run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
   {
-    const Oriented_points s = usable_points(source), t = usable_points(target);
+    const Oriented_points s = in_order(usable_points(source)), t = in_order(usable_points(target));
     const Eigen::Vector3d source_center = centroid(s.points), target_center = centroid(t.points);
     const Oriented_points centered_source = moved(s, source_center, 1.);
     const Oriented_points centered_target = moved(t, target_center, 1.);
@@ -156,6 +159,45 @@ private:
       m_radius(radius(m_source)),
       m_assessor(m_source, m_target, m_spacing)
   {}
+
+  // From the centroid outwards, and by coordinates where that says nothing: what is chosen among points, by their place in the row or by
+  // chance, then depends neither on the order in which they are given nor on how the scan lies in space, and sums are rounded alike.
+  static Oriented_points in_order(const Oriented_points& scan)
+  {
+    std::vector<std::size_t> order(scan.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::sort(order.begin(), order.end(),
+              [&](const std::size_t i, const std::size_t j)
+              {
+                return scan.points[i] == scan.points[j]
+                           ? lexicographically_smaller(scan.normals[i], scan.normals[j])
+                           : lexicographically_smaller(scan.points[i], scan.points[j]);
+              });
+    Oriented_points result = selected(scan, order);
+    const Eigen::Vector3d center = centroid(result.points);
+    double largest = 0.;
+    for(const Eigen::Vector3d& p : result.points)
+      largest = (std::max)(largest, (p - center).squaredNorm());
+    const Rounded_distance rounded(largest);
+    std::vector<std::pair<double, std::size_t> > keys;
+    for(std::size_t i = 0; i < result.size(); ++i)
+      keys.emplace_back(rounded((result.points[i] - center).squaredNorm()), i);
+    std::sort(keys.begin(), keys.end());
+    for(std::size_t i = 0; i < keys.size(); ++i)
+      order[i] = keys[i].second;
+    return selected(result, order);
+  }
+
+  static Oriented_points selected(const Oriented_points& scan, const std::vector<std::size_t>& order)
+  {
+    Oriented_points result;
+    for(const std::size_t i : order)
+    {
+      result.points.push_back(scan.points[i]);
+      result.normals.push_back(scan.normals[i]);
+    }
+    return result;
+  }
 
   // the first of each `step` points
   static Oriented_points every(const Oriented_points& scan, std::size_t step)
