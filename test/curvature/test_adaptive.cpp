@@ -378,6 +378,23 @@ Analytic_surface roof()
   return s;
 }
 
+// The side of a cylinder in rows and columns, its circle stretched to an ellipse, which `wave` bends; or of the cone over that curve.
+Analytic_surface moved_profile(double wave, bool is_cone)
+{
+  Analytic_surface s = test_support::cylinder(1., 2., 60, 12);
+  constexpr double a = 1.3, b = 1.;
+  for(std::size_t i = 0; i < s.points.size(); ++i)
+  {
+    auto& p = s.points[i];
+    const double c = p.x, d = p.y, r = 1. + wave * (4. * c * c * c - 3. * c), height = 1. + p.z;
+    const double scale = is_cone ? height : 1.;
+    p = {scale * a * r * c, scale * b * r * d, height};
+    s.exact[i].k_min = 0.;
+    s.exact[i].k_max = a * b / std::pow(a * a * d * d + b * b * c * c, 1.5); // of the ellipse
+  }
+  return s;
+}
+
 } // namespace
 
 // On quadrics the answer is exact, up to the border and whatever the normals are.
@@ -414,6 +431,20 @@ BOOST_AUTO_TEST_CASE(no_quadrics)
   const On_quadrics nearly = on_quadrics(Data(ellipsoid, Given::ESTIMATED, 1e-10));
   BOOST_TEST(nearly.number == ellipsoid.points.size());
   BOOST_TEST(nearly.error < 1e-7);
+}
+
+// A conic goes through any five points, and rows hold no more of a profile within two rings.
+BOOST_AUTO_TEST_CASE(moved_profiles)
+{
+  for(const bool is_cone : {false, true})
+    for(const double wave : {1e-3, .1})
+      BOOST_TEST(on_quadrics(Data(moved_profile(wave, is_cone), Given::ESTIMATED, 0.)).number == 0u);
+  const Analytic_surface cylinder = moved_profile(0., false);
+  const On_quadrics ellipses = on_quadrics(Data(cylinder, Given::ESTIMATED, 0.));
+  BOOST_TEST(ellipses.number == cylinder.points.size());
+  BOOST_TEST(ellipses.error < 1e-9);
+  const Analytic_surface cone = moved_profile(0., true);
+  BOOST_TEST(on_quadrics(Data(cone, Given::ESTIMATED, 0.)).number == cone.points.size());
 }
 
 // Two planes are a quadric: beside the edge between them, they are flat.

@@ -65,8 +65,8 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   Before all this, it is tried whether a vertex and its neighbors lie on a quadric, to eight digits of their distances: on a
   sphere, a cylinder, a cone, an ellipsoid, a paraboloid, a hyperboloid, as the faces of technical parts do, or on two planes that
   meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are.
-  (A surface that was made by moving a profile, with vertices in rows and columns, has five points of the profile within two
-  rings, and a conic goes through any five: it is taken for a quadric, whose curvatures are not exact, but tend to the surface's.)
+  Where a profile was moved, or scaled, with vertices in rows and columns, there are five points of the profile within two rings, and
+  a conic goes through any five: there the third ring has to agree, if it isn't a circle.
 
   Level sets that marching cubes take from a coarse grid are its weak point: they are off in the same direction for some vertices,
   which four rings hardly tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a

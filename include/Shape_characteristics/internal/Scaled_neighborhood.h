@@ -72,16 +72,19 @@ public:
     Estimation_status status = gather(surface, i, workspace, (std::max)(limit, seen), desired, should_spread);
     if(!is_estimated(status))
       return status;
-    if(find_scaling().is_identity() || is_collinear())
+    const std::size_t found = points.size() - 1;
+    const bool are_spread = found <= (std::max)(limit, seen);
+    const bool is_thinned_out = !are_spread && found >= (std::max)(2 * limit, crowd);
+    if(is_thinned_out || find_scaling().is_identity() || is_collinear())
     {
       if(limit < seen)
         status = gather(surface, i, workspace, limit, desired, should_spread);
     }
     else
     {
-      gather(surface, i, workspace, (std::numeric_limits<std::size_t>::max)(), desired, false);
+      gather(surface, i, workspace, (std::max)(limit, crowd), desired, false);
       scaling = find_scaling();
-      even_out(limit);
+      even_out(are_spread ? limit : found);
     }
     return finish(status);
   }

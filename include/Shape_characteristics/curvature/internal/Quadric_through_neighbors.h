@@ -7,10 +7,13 @@
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 
 #include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -39,22 +42,19 @@ public:
   // its status isn't that of an estimate if there is no quadric
   Fitted_sample operator()(const SampledSurface& surface, std::size_t i)
   {
-    const Estimation_status status =
-        m_neighborhood.collect(surface, i, m_workspace, std::size_t(s_most_neighbors), s_fewest_neighbors);
-    const std::size_t number_of_neighbors = m_neighborhood.points.size() - 1;
-    if(!is_estimated(status) || number_of_neighbors < s_fewest_neighbors)
-      return Fitted_sample();
+    Estimation_status status;
     Coefficients quadric;
-    if(!find_null_vector(quadric))
-      return Fitted_sample();
-    const double slope = quadric.head<3>().norm();
-    if(!(slope > s_least_slope)) // as at the tip of a cone
-      return Fitted_sample();
-    quadric /= slope;
-    if(quadric.head<3>().dot(m_neighborhood.normals[0]) < 0.)
-      quadric = -quadric;
-    if(!is_surface(quadric))
-      return Fitted_sample();
+    std::size_t number_of_neighbors = s_fewest_neighbors - 1;
+    do
+    {
+      const std::size_t fewer = number_of_neighbors;
+      status = m_neighborhood.collect(surface, i, m_workspace, std::size_t(s_most_neighbors), fewer + 1);
+      if(!is_estimated(status))
+        return Fitted_sample();
+      number_of_neighbors = m_neighborhood.points.size() - 1;
+      if(number_of_neighbors <= fewer || !find_quadric(quadric))
+        return Fitted_sample();
+    } while(!is_determined(quadric));
     Local_implicit_surface result;
     result.status = status;
     result.gradient = quadric.head<3>();
@@ -69,6 +69,23 @@ private:
   static constexpr double s_gap = 1e3;                  // between the smallest singular value and the next
   static constexpr double s_least_slope = .01;          // of a quadric with coefficients of length 1
   static constexpr double s_least_cosine = .8;          // of the angle between the gradient and the normal
+  static constexpr double s_zero = 1e-6;                // of coefficients, in units of the largest
+  static constexpr std::size_t s_lines = 6;             // that determine a cylinder or a cone
+  static constexpr double s_between_lines = 1e-4;       // least distance
+
+  // the quadric through the points, its gradient at the sample of unit length; whether there is one
+  bool find_quadric(Coefficients& quadric)
+  {
+    if(!find_null_vector(quadric))
+      return false;
+    const double slope = quadric.head<3>().norm();
+    if(!(slope > s_least_slope)) // as at the tip of a cone
+      return false;
+    quadric /= slope;
+    if(quadric.head<3>().dot(m_neighborhood.normals[0]) < 0.)
+      quadric = -quadric;
+    return is_surface(quadric);
+  }
 
   // of x, y, z, x^2 / 2, y^2 / 2, z^2 / 2, xy, xz, yz, in the order of `hessian_of`
   bool find_null_vector(Coefficients& result)
@@ -118,6 +135,41 @@ private:
                          return std::abs(gradient.dot(p) + .5 * p.dot(turn)) <=
                                 s_distance * (std::max)((gradient + turn).norm(), 1.);
                        });
+  }
+
+  // Through any five lines that are parallel or meet in a point there is a cylinder or a cone. So it tells nothing that there is one
+  // through those of a profile that was moved, or scaled, with samples in rows; unless it is circular, or there are more lines.
+  bool is_determined(const Coefficients& quadric) const
+  {
+    const Eigen::Matrix3d hessian = hessian_of(quadric);
+    Eigen::Matrix4d form = Eigen::Matrix4d::Zero(); // over homogeneous coordinates
+    form.topLeftCorner<3, 3>() = hessian;
+    form.topRightCorner<3, 1>() = quadric.head<3>();
+    form.bottomLeftCorner<1, 3>() = quadric.head<3>().transpose();
+    const Eigen::JacobiSVD<Eigen::Matrix4d> svd(form, Eigen::ComputeFullV);
+    const auto& sizes = svd.singularValues();
+    if(!(sizes[3] < s_zero * sizes[2] && sizes[2] > s_zero * sizes[0])) // neither of both; two planes
+      return true;
+    const Eigen::Vector3d values =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
+    const double largest = values.lpNorm<Eigen::Infinity>();
+    if(std::abs(values[1]) > s_gap * s_zero * largest &&
+       (std::min)(values[1] - values[0], values[2] - values[1]) < s_zero * largest)
+      return true;
+    const Eigen::Vector4d tip = svd.matrixV().col(3); // infinitely far that of a cylinder
+    const auto are_on_a_line = [&](const Vector& p, const Vector& q)
+    { return (q - p).cross((tip.head<3>() - tip[3] * p).normalized()).norm() < s_between_lines; };
+    std::array<Vector, s_lines> lines; // a point of each
+    std::size_t number_of_lines = 0;
+    for(const Vector& p : m_neighborhood.points)
+      if(std::none_of(lines.begin(), lines.begin() + std::ptrdiff_t(number_of_lines),
+                      [&](const Vector& q) { return are_on_a_line(p, q); }))
+      {
+        lines[number_of_lines++] = p;
+        if(number_of_lines == s_lines)
+          return true;
+      }
+    return false;
   }
 
   typename SampledSurface::Workspace m_workspace;
