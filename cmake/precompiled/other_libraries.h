@@ -27,6 +27,8 @@
 #include <string>
 #include <unordered_map>
 
+#include "expressions.h"
+
 #define SHAPE_CHARACTERISTICS_TEMPLATE extern template
 #include "templates/decompositions.h"
 #undef SHAPE_CHARACTERISTICS_TEMPLATE
