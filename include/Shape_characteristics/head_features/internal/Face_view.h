@@ -13,14 +13,13 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// The face from the front, with its depth smoothed over two widths and how strongly it is creased: that takes several times as long
-// as the view alone.
+// The face from the front, with how strongly it is creased and, once it is asked for, its depth smoothed over another width: each
+// takes longer than the view alone.
 class Face_view : public Skin_view
 {
 public:
   explicit Face_view(Skin_view view)
     : Skin_view(std::move(view)),
-      m_smooth(image().depth().smoothed(.006 / pixel)),
       m_curvature(image().depth().smoothed(.004 / pixel), pixel)
   {}
 
@@ -33,6 +32,8 @@ public:
   // the smooth depth between pixels, NaN where there is none
   double depth(double u, double v) const
   {
+    if(m_smooth.width() == 0) // eyes are looked for without it, and often more than once
+      m_smooth = image().depth().smoothed(.006 / pixel);
     const double x = image().column(u), y = image().row(v);
     if(!(x >= 0. && x < m_smooth.width() && y >= 0. && y < m_smooth.height()))
       return std::numeric_limits<double>::quiet_NaN();
@@ -45,7 +46,7 @@ public:
   }
 
 private:
-  Scalar_image m_smooth;
+  mutable Scalar_image m_smooth; // empty before the first call of depth()
   Range_image_curvature m_curvature;
 };
 

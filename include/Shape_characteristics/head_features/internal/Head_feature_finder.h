@@ -47,19 +47,7 @@ public:
   Found_head_features find()
   {
     find_components();
-    // The height of a head that is flat or looks up is guessed badly: where no eyes are seen, others are tried.
-    const Eigen::Vector3d origin = m_origin;
-    const double unit = m_unit;
-    bool is_found = false;
-    for(const double factor : {1., 1.2, 1.45, .83, 1.})
-    {
-      m_origin = origin;
-      m_unit = factor * unit;
-      is_found = find_tip_and_eyes();
-      if(is_found && sees_eyes())
-        break;
-    }
-    if(!is_found)
+    if(!find_face())
       return Found_head_features();
     find_mouth();
     find_midline();
@@ -83,6 +71,35 @@ private:
   bool sees_eyes() const
   {
     return m_found[Head_feature::LEFT_E1].confidence > .5 && m_found[Head_feature::RIGHT_E1].confidence > .5;
+  }
+
+  // The height of a head that is flat or looks up is guessed badly: where no eyes are seen, others are tried. The first guess stays if
+  // there are eyes with none. False: there is no surface where the tip of the nose should be.
+  bool find_face()
+  {
+    const Eigen::Vector3d origin = m_origin;
+    const double unit = m_unit;
+    const bool is_found = find_tip_and_eyes();
+    if(is_found && sees_eyes())
+      return true;
+    const Eigen::Vector3d first_origin = m_origin;
+    const double first_unit = m_unit;
+    const Found_head_features first_found = m_found;
+    std::optional<Face_view> first_view = std::move(m_view);
+    for(const double factor : {1.2, 1.45, .83})
+    {
+      m_origin = origin;
+      m_unit = factor * unit;
+      if(find_tip_and_eyes() && sees_eyes())
+        return true;
+    }
+    m_origin = first_origin;
+    m_unit = first_unit;
+    normalize();
+    m_found = first_found;
+    if(is_found)
+      m_view.emplace(std::move(*first_view));
+    return is_found;
   }
 
   // false: there is no surface where the tip of the nose should be

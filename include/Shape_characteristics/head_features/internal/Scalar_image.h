@@ -70,16 +70,23 @@ public:
     Eigen::ArrayXd known = Eigen::ArrayXd::Zero(width + 2 * reach), is_known = known;
     for(int j = 0; j < m_height; ++j)
     {
+      int first = m_width, last = -1; // that has a value
       for(int i = 0; i < m_width; ++i)
       {
         const bool is_there = !std::isnan(values(i, j));
         known[reach + i] = is_there ? values(i, j) : 0.;
         is_known[reach + i] = is_there ? 1. : 0.;
+        if(is_there)
+        {
+          first = std::min(first, i);
+          last = i;
+        }
       }
       for(int i = 0; i < width; i += lanes)
       {
         Pixels sum = Pixels::Zero(), weight = sum;
-        for(int k = 0; k <= 2 * reach; ++k)
+        const bool is_near = i + lanes > first - reach && i <= last + reach;
+        for(int k = 0; k <= 2 * reach && is_near; ++k)
         {
           sum += kernel[std::size_t(k)] * known.segment<lanes>(i + k);
           weight += kernel[std::size_t(k)] * is_known.segment<lanes>(i + k);
@@ -92,6 +99,11 @@ public:
     for(int j = 0; j < m_height; ++j)
       for(int i = 0; i < width; i += lanes)
       {
+        bool has_values = false;
+        for(int l = 0; l < lanes && i + l < m_width; ++l)
+          has_values = has_values || !std::isnan(values(i + l, j));
+        if(!has_values)
+          continue;
         Pixels sum = Pixels::Zero(), weight = sum;
         for(int k = std::max(0, reach - j); k <= std::min(2 * reach, reach + m_height - 1 - j); ++k)
         {
