@@ -83,15 +83,22 @@ if(CMAKE_DISABLE_PRECOMPILE_HEADERS)
   target_link_libraries(Shape_characteristics_precompiled INTERFACE Shape_characteristics_development)
 else()
   file(GLOB lists CONFIGURE_DEPENDS RELATIVE ${CMAKE_CURRENT_LIST_DIR}/precompiled ${CMAKE_CURRENT_LIST_DIR}/precompiled/templates/*.h)
+  # of other libraries' code, which isn't sanitized: in one source, for the second has most of the first, and without the rest of what
+  # is precompiled
+  set(lists_of_others templates/decompositions.h templates/other_libraries.h)
+  list(REMOVE_ITEM lists ${lists_of_others})
+  set(definition "#define SHAPE_CHARACTERISTICS_TEMPLATE template\n")
   shape_characteristics_include_each(sources ${CMAKE_CURRENT_BINARY_DIR}/precompiled
-    "#include <precompiled.h>\n#define SHAPE_CHARACTERISTICS_TEMPLATE template\n" ${lists})
-  add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources})
+    "#include <precompiled.h>\n${definition}" ${lists})
+  list(TRANSFORM lists_of_others REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE includes)
+  list(JOIN includes "" includes)
+  set(source_of_others ${CMAKE_CURRENT_BINARY_DIR}/precompiled/of_other_libraries.cpp)
+  file(CONFIGURE OUTPUT ${source_of_others} CONTENT "${definition}${includes}")
+  add_library(Shape_characteristics_precompiled STATIC EXCLUDE_FROM_ALL ${sources} ${source_of_others})
   target_include_directories(Shape_characteristics_precompiled PUBLIC ${CMAKE_CURRENT_LIST_DIR}/precompiled)
   target_precompile_headers(Shape_characteristics_precompiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/precompiled/precompiled.h)
   target_link_libraries(Shape_characteristics_precompiled PUBLIC Shape_characteristics_development)
-  foreach(list IN ITEMS decompositions other_libraries)
-    shape_characteristics_do_not_sanitize(${CMAKE_CURRENT_BINARY_DIR}/precompiled/templates/${list}.cpp)
-  endforeach()
+  shape_characteristics_do_not_sanitize(${source_of_others})
 endif()
 
 # OpenMesh's own CMake files name include directories that Debian doesn't have

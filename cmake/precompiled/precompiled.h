@@ -4,6 +4,7 @@
 // What most tests, examples and benchmarks include, compiled once, before them. Half of what a compiler makes of each of them is
 // the same code of a few templates: those in templates/ are compiled once, too, into a library.
 
+#include "kernel_and_mesh.h"
 #include "other_libraries.h"
 
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
@@ -24,8 +25,6 @@
 
 namespace precompiled {
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 template <typename FaceGraph>

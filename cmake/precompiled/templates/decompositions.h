@@ -1,5 +1,7 @@
 // of matrices, by Eigen
 
+#include <Eigen/Dense>
+
 namespace Eigen {
 
 SHAPE_CHARACTERISTICS_TEMPLATE class JacobiSVD<MatrixXd>;
