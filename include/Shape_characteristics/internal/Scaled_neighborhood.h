@@ -55,7 +55,8 @@ public:
     long and thin do, space is compressed along the axis, and `scaling` is not the identity: basis functions take all directions
     alike. The nearest neighbors are those in that space. The `seen` nearest ones (at least `limit`) tell how it is.
 
-    Balls and nearest neighbors reach as far in all directions. Where theirs are on a line, as of a scanner, nothing evens them out.
+    Balls and nearest neighbors reach as far in all directions. Where theirs are on a line, as of a scanner, nothing evens them out;
+    nor does it a crowd of which some, from near to far, were taken.
   */
   template <typename SampledSurface>
   Estimation_status collect_evenly(const SampledSurface& surface,
