@@ -55,10 +55,10 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing beside it.
 
   Where triangles are much longer than wide, as CAD programs make them for cylinders, rings reach farther along them than across.
-  There, what the rings hold is fitted after space was compressed along the tangent, until it is at most twice as long as wide, or
-  the normals lean by 45 degrees: a basis function takes all directions alike. Balls, and nearest points, don't know of
-  triangles: where points are as dense as that along lines, as those of some scanners are, take a radius that reaches over several
-  lines, or as many neighbors.
+  There, what the rings hold is fitted after space was compressed along the tangent, until it is at most twice as long as wide (four
+  times beside a border), or the normals lean by 45 degrees: a basis function takes all directions alike. Balls, and nearest points,
+  don't know of triangles: where points are dense along lines that are far apart, as those of some scanners are, take a radius that
+  reaches over several lines, or as many neighbors.
 
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little, and where normals that
   are said to be exact fit together: see `fits_are_shared`. Which vertices have a fit of their own follows from the order of

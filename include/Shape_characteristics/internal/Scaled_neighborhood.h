@@ -76,7 +76,8 @@ public:
     const std::size_t found = points.size() - 1;
     const bool are_spread = found <= (std::max)(limit, seen);
     const bool is_thinned_out = !are_spread && found >= (std::max)(2 * limit, crowd);
-    if(is_thinned_out || find_scaling().is_identity() || is_collinear())
+    const double uneven = has_border(surface) ? s_uneven_at_border : s_uneven;
+    if(is_thinned_out || find_scaling(uneven).is_identity() || is_collinear())
     {
       if(limit < seen)
         status = gather(surface, i, workspace, limit, desired, should_spread);
@@ -84,7 +85,7 @@ public:
     else
     {
       gather(surface, i, workspace, (std::max)(limit, crowd), desired, false);
-      scaling = find_scaling();
+      scaling = find_scaling(uneven);
       even_out(are_spread ? limit : found);
     }
     return finish(status);
@@ -102,8 +103,10 @@ private:
   static constexpr std::size_t s_minimum = 3; // neighbors without which there is no answer
   // of the distance, from a quarter of the neighbors to all of them: twice on a surface, four times along a line
   static constexpr double s_least_growth = 1.3, s_largest_growth = 2.9;
-  static constexpr double s_merged = 1e-3;       // distance below which points are one
-  static constexpr double s_uneven = 2.;         // how much farther away along an axis than across it
+  static constexpr double s_merged = 1e-3; // distance below which points are one
+  // How much farther along an axis than across it points may be. Those beside a border, which are on one side of each other, or along
+  // it, are uneven by themselves, most of all those of Delaunay triangulations of random points.
+  static constexpr double s_uneven = 2., s_uneven_at_border = 4.;
   static constexpr double s_least_factor = 1e-3; // farther apart, points are as good as on a line
 
   Estimation_status finish(Estimation_status status)
@@ -193,8 +196,15 @@ private:
     return square > s_least_growth * s_least_growth && square < s_largest_growth * s_largest_growth;
   }
 
-  // the identity if points are about as far in all directions of the tangent plane
-  Axis_scaling find_scaling() const
+  template <typename SampledSurface>
+  bool has_border(const SampledSurface& surface) const
+  {
+    return std::any_of(samples.begin(), samples.end(),
+                       [&](const Index j) { return surface.status(j) == Estimation_status::BORDER; });
+  }
+
+  // the identity if points are at most `uneven` times as far along any axis of the tangent plane as across it
+  Axis_scaling find_scaling(double uneven) const
   {
     Vector t1, t2;
     tangent_basis(normals[0], t1, t2);
@@ -209,7 +219,7 @@ private:
     const double half_sum = 0.5 * (xx + yy), half_difference = 0.5 * (xx - yy);
     const double root = std::sqrt(half_difference * half_difference + xy * xy);
     const double longest = half_sum + root, shortest = (std::max)(half_sum - root, 0.);
-    if(!(longest > s_uneven * s_uneven * shortest))
+    if(!(longest > uneven * uneven * shortest))
       return Axis_scaling();
     // of two vectors along the axis, the one that isn't a difference
     const Vector axis = (half_difference > 0. ? Vector((half_difference + root) * t1 + xy * t2)
@@ -221,7 +231,7 @@ private:
       slope += std::pow(axis.dot(n), 2);
     slope = std::sqrt(slope / double(normals.size()));
     return {axis,
-            (std::min)((std::max)({s_uneven * std::sqrt(shortest / longest), slope, s_least_factor}), 1.)};
+            (std::min)((std::max)({uneven * std::sqrt(shortest / longest), slope, s_least_factor}), 1.)};
   }
 
   // Compresses space as `scaling` says, and keeps the sample and the `limit` neighbors that are nearest then.

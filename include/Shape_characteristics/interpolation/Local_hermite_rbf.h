@@ -46,8 +46,9 @@ struct Local_implicit_surface
   fits Hermite radial basis functions to the neighborhood of each sample of a surface (thesis, section 8.1).
 
   Each neighborhood is moved to its sample and scaled to root mean square distance 1; for positive definite basis functions,
-  rings that reach more than twice as far along an axis of the tangent plane as across it are compressed along it before. The
-  function's zero set follows the points, its gradient the normals. The basis function chooses the system of equations:
+  rings that reach more than twice as far along an axis of the tangent plane as across it (four times beside a border) are
+  compressed along it before. The function's zero set follows the points, its gradient the normals. The basis function chooses the
+  system of equations:
 
   - a positive definite one, with normals that are exact: value 0 and both tangential derivatives 0 at each of the
     \f$ m \f$ points, and the derivative along the normal 1 at the sample. These are \f$ 3m+1 \f$ equations: of a normal, its
