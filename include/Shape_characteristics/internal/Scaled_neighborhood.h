@@ -77,15 +77,20 @@ public:
     const bool are_spread = found <= (std::max)(limit, seen);
     const bool is_thinned_out = !are_spread && found >= (std::max)(2 * limit, crowd);
     const double uneven = has_border(surface) ? s_uneven_at_border : s_uneven;
-    if(is_thinned_out || find_scaling(uneven).is_identity() || is_collinear())
+    const Axis_scaling scaling_of_found = is_thinned_out ? Axis_scaling() : find_scaling(uneven);
+    if(scaling_of_found.is_identity() || is_collinear())
     {
       if(limit < seen)
         status = gather(surface, i, workspace, limit, desired, should_spread);
     }
     else
     {
-      gather(surface, i, workspace, (std::max)(limit, crowd), desired, false);
-      scaling = find_scaling(uneven);
+      scaling = scaling_of_found;
+      if(found == (std::max)(limit, seen)) // there may be others that are nearer once space is compressed
+      {
+        gather(surface, i, workspace, (std::max)(limit, crowd), desired, false);
+        scaling = find_scaling(uneven);
+      }
       even_out(are_spread ? limit : found);
     }
     return finish(status);
