@@ -188,10 +188,10 @@ private:
     return selected(result, order);
   }
 
-  static Oriented_points selected(const Oriented_points& scan, const std::vector<std::size_t>& order)
+  static Oriented_points selected(const Oriented_points& scan, const std::vector<std::size_t>& chosen)
   {
     Oriented_points result;
-    for(const std::size_t i : order)
+    for(const std::size_t i : chosen)
     {
       result.points.push_back(scan.points[i]);
       result.normals.push_back(scan.normals[i]);
@@ -202,13 +202,10 @@ private:
   // the first of each `step` points
   static Oriented_points every(const Oriented_points& scan, std::size_t step)
   {
-    Oriented_points result;
+    std::vector<std::size_t> chosen;
     for(std::size_t i = 0; i < scan.size(); i += step)
-    {
-      result.points.push_back(scan.points[i]);
-      result.normals.push_back(scan.normals[i]);
-    }
-    return result;
+      chosen.push_back(i);
+    return selected(scan, chosen);
   }
 
   static Oriented_points moved(const Oriented_points& scan, const Eigen::Vector3d& center, double scale)
