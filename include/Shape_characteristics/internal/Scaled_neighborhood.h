@@ -76,8 +76,7 @@ public:
     const std::size_t found = points.size() - 1;
     const bool are_spread = found <= (std::max)(limit, seen);
     const bool is_thinned_out = !are_spread && found >= (std::max)(2 * limit, crowd);
-    const double uneven = has_border(surface) ? s_uneven_at_border : s_uneven;
-    const Axis_scaling scaling_of_found = is_thinned_out ? Axis_scaling() : find_scaling(uneven);
+    const Axis_scaling scaling_of_found = is_thinned_out ? Axis_scaling() : find_scaling(surface);
     if(scaling_of_found.is_identity() || is_collinear())
     {
       if(limit < seen)
@@ -89,7 +88,7 @@ public:
       if(found == (std::max)(limit, seen)) // there may be others that are nearer once space is compressed
       {
         gather(surface, i, workspace, (std::max)(limit, crowd), desired, false);
-        scaling = find_scaling(uneven);
+        scaling = find_scaling(surface);
       }
       even_out(are_spread ? limit : found);
     }
@@ -208,8 +207,9 @@ private:
                        [&](const Index j) { return surface.status(j) == Estimation_status::BORDER; });
   }
 
-  // the identity if points are at most `uneven` times as far along any axis of the tangent plane as across it
-  Axis_scaling find_scaling(double uneven) const
+  // the identity if points are about as far along any axis of the tangent plane as across it
+  template <typename SampledSurface>
+  Axis_scaling find_scaling(const SampledSurface& surface) const
   {
     Vector t1, t2;
     tangent_basis(normals[0], t1, t2);
@@ -224,7 +224,13 @@ private:
     const double half_sum = 0.5 * (xx + yy), half_difference = 0.5 * (xx - yy);
     const double root = std::sqrt(half_difference * half_difference + xy * xy);
     const double longest = half_sum + root, shortest = (std::max)(half_sum - root, 0.);
-    if(!(longest > uneven * uneven * shortest))
+    double uneven = s_uneven;
+    const auto is_even = [&] { return !(longest > uneven * uneven * shortest); };
+    if(is_even())
+      return Axis_scaling();
+    if(has_border(surface))
+      uneven = s_uneven_at_border;
+    if(is_even())
       return Axis_scaling();
     // of two vectors along the axis, the one that isn't a difference
     const Vector axis = (half_difference > 0. ? Vector((half_difference + root) * t1 + xy * t2)
@@ -233,7 +239,10 @@ private:
     // Where space is compressed, slopes grow; where the surface bends away along the axis, they would be steep.
     double slope = 0.;
     for(const Vector& n : normals)
-      slope += std::pow(axis.dot(n), 2);
+    {
+      const double along = axis.dot(n);
+      slope += along * along;
+    }
     slope = std::sqrt(slope / double(normals.size()));
     return {axis,
             (std::min)((std::max)({uneven * std::sqrt(shortest / longest), slope, s_least_factor}), 1.)};
@@ -253,9 +262,9 @@ private:
     std::sort(m_places.begin() + 1, m_places.end());
     if(limit < m_places.size())
       m_places.resize(limit + 1);
-    in_order(samples);
-    in_order(points);
-    in_order(normals);
+    in_order(samples, m_samples);
+    in_order(points, m_vectors);
+    in_order(normals, m_vectors);
     double sum = 0.;
     for(const Vector& p : points)
       sum += p.squaredNorm();
@@ -269,13 +278,12 @@ private:
 
   // those of `m_places`
   template <typename T>
-  void in_order(std::vector<T>& values) const
+  void in_order(std::vector<T>& values, std::vector<T>& scratch) const
   {
-    std::vector<T> result;
-    result.reserve(m_places.size());
-    for(const auto& place : m_places)
-      result.push_back(values[place.second]);
-    values.swap(result);
+    scratch.resize(m_places.size());
+    for(std::size_t k = 0; k < m_places.size(); ++k)
+      scratch[k] = values[m_places[k].second];
+    values.swap(scratch);
   }
 
   // Points closer to each other than any sampling means them to be, with different normals, would make the surface
@@ -315,7 +323,10 @@ private:
                        [&](const Vector& p) { return !(p.cross(axis).squaredNorm() > far); });
   }
 
+  // scratch memory
   std::vector<std::pair<double, Index> > m_places; // rounded squared distances, and where they belong
+  std::vector<Index> m_samples;
+  std::vector<Vector> m_vectors;
 };
 
 } // namespace internal

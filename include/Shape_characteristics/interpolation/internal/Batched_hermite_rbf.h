@@ -428,6 +428,7 @@ private:
     const double value_variance = is_exact ? task.exact.value_variance() : task.noisy.value_variance();
     batch.set_vector(batch.trend, 0, lane, task.trend);
     batch.set_count(lane, task.number_of_points);
+    batch.set_scaling(lane, task.scaling);
     batch.set(batch.unit, 0, lane, unit);
     batch.set(batch.value_noise, 0, lane, unit * unit * value_variance);
     batch.set(batch.derivative_noise, 0, lane,
@@ -596,7 +597,7 @@ private:
 
     const Estimation_status status = m_surface.status(served.sample);
     const double factor = unit / task.scale;
-    if(output.curvatures && task.scaling.is_identity())
+    if(output.curvatures)
     {
       output.curvatures(served.sample, status, workspace.m_batch.curvatures_of(lane, factor));
       return;

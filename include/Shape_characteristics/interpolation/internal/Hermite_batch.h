@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_BATCH_H
 
+#include <Shape_characteristics/internal/Axis_scaling.h>
 #include <Shape_characteristics/internal/Shape_operator_eigen.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
@@ -51,9 +52,9 @@ public:
     const std::array<std::size_t, 10> sizes = {6 * max_centers, // points, normals
                                                tangents_size,
                                                3 + Height_polynomial<double>::size, // trend, bend
-                                               4,                                   // counts, noise, unit
-                                               4 * panels * right_sides,            // solution, noise
-                                               4 * max_centers,                     // weights
+                                               8,                         // counts, noise, unit, scaling
+                                               4 * panels * right_sides,  // solution, noise
+                                               4 * max_centers,           // weights
                                                3 * max_centers + 5,       // at the first center, polynomial
                                                3 + s_jet,                 // evaluation
                                                8 * panels * (panels + 1), // matrix
@@ -80,6 +81,8 @@ public:
     value_noise = count + lanes;
     derivative_noise = value_noise + lanes;
     unit = derivative_noise + lanes;
+    axis = unit + lanes;
+    compression = axis + 3 * lanes;
     solution = next(4);
     first_noise = solution + 4 * panels * lanes;
     weights = next(5);
@@ -94,6 +97,7 @@ public:
     jets_at_centers = exact_weights + 8 * max_centers * lanes;
     exact_polynomial = jets_at_centers + 8 * max_centers * lanes;
     smallest_count = max_centers;
+    is_any_scaled = false;
   }
 
   std::size_t lanes() const { return m_lanes; }
@@ -119,6 +123,13 @@ public:
   {
     set(count, 0, lane, double(number_of_centers));
     smallest_count = (std::min)(smallest_count, number_of_centers);
+  }
+
+  void set_scaling(std::size_t lane, const Axis_scaling& scaling)
+  {
+    set_vector(axis, 0, lane, scaling.axis);
+    set(compression, 0, lane, scaling.factor - 1.);
+    is_any_scaled = is_any_scaled || !scaling.is_identity();
   }
 
   // what was evaluated in a lane
@@ -147,8 +158,8 @@ public:
     return quality;
   }
 
-  // of the level set of what was evaluated in a lane, times `factor`; curvatures and directions otherwise are those of the
-  // scaled points
+  // of the level set of what was evaluated in a lane, in space before it was compressed along an axis, times `factor`; curvatures
+  // otherwise are those of the scaled points
   Shape_operator_eigen curvatures_of(std::size_t lane, double factor) const
   {
     Shape_operator_eigen result;
@@ -179,6 +190,10 @@ public:
   double* value_noise = nullptr;    // variances of the data
   double* derivative_noise = nullptr;
   double* unit = nullptr; // root mean square distance of the points from the first
+  double* axis =
+      nullptr; // of unit length: along it, space is the number in `compression` plus 1 times as long
+  double* compression = nullptr;
+  bool is_any_scaled = false; // whether `compression` is other than 0
   double* solution = nullptr;
   // of GRADIENTS: how much of the noise of each derivative at the first center is in an equation, 3 right sides more; the matrix
   // leaves it out

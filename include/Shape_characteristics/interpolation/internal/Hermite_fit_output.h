@@ -18,8 +18,8 @@ struct Hermite_fit_output
   // the function that was fitted at a sample, or why there is none
   std::function<void(std::size_t, const Local_implicit_surface&)> surface;
 
-  // Instead, if it is given, the principal curvatures of a fit, where they were computed side by side with others: not of rings that
-  // were evened out. They may be too large for a number.
+  // Instead, if it is given, the principal curvatures of a fit, where they were computed side by side with others. They may be too
+  // large for a number.
   std::function<void(std::size_t, Estimation_status, const Shape_operator_eigen&)> curvatures = {};
 };
 

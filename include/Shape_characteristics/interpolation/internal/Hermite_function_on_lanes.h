@@ -150,20 +150,25 @@ public:
       jet[8] = yz;
       jet[9] = zz;
 
-      const V squared_length = gx * gx + gy * gy + gz * gz + s_least_square;
-      V inverse_length;
-      inverse_sqrt(squared_length, inverse_length);
-      jet[10] = squared_length * inverse_length;
-      const V normal[3] = {gx * inverse_length, gy * inverse_length, gz * inverse_length};
-      V u[3], v[3];
-      find_tangents(normal, u, v);
-      const V ux = xx * u[0] + xy * u[1] + xz * u[2], uy = xy * u[0] + yy * u[1] + yz * u[2],
-              uz = xz * u[0] + yz * u[1] + zz * u[2];
-      const V vx = xx * v[0] + xy * v[1] + xz * v[2], vy = xy * v[0] + yy * v[1] + yz * v[2],
-              vz = xz * v[0] + yz * v[1] + zz * v[2];
-      find_curvatures(normal, u, v, V((u[0] * ux + u[1] * uy + u[2] * uz) * inverse_length),
-                      V((u[0] * vx + u[1] * vy + u[2] * vz) * inverse_length),
-                      V((v[0] * vx + v[1] * vy + v[2] * vz) * inverse_length), jet + 11);
+      Shape_operator shape;
+      shape.set(gx, gy, gz, xx, xy, xz, yy, yz, zz);
+      jet[10] = shape.length;
+      square_root(V(shape.uu * shape.uu + shape.vv * shape.vv + 2. * shape.uv * shape.uv), jet[11]);
+      if(batch.is_any_scaled)
+      {
+        // Axis_scaling, of gradient and Hessian matrix
+        const V* const axis = vectors(batch.axis);
+        const V ax = axis[0], ay = axis[1], az = axis[2], part = *vectors(batch.compression);
+        const V along = part * (ax * gx + ay * gy + az * gz);
+        const V ix = xx * ax + xy * ay + xz * az, iy = xy * ax + yy * ay + yz * az,
+                iz = xz * ax + yz * ay + zz * az;
+        const V half = 0.5 * part * part * (ax * ix + ay * iy + az * iz);
+        const V px = part * ix + half * ax, py = part * iy + half * ay, pz = part * iz + half * az;
+        shape.set(V(gx + along * ax), V(gy + along * ay), V(gz + along * az), V(xx + 2. * ax * px),
+                  V(xy + ax * py + ay * px), V(xz + ax * pz + az * px), V(yy + 2. * ay * py),
+                  V(yz + ay * pz + az * py), V(zz + 2. * az * pz));
+      }
+      find_curvatures(shape, jet + 12);
     }
   }
 
@@ -326,17 +331,51 @@ private:
     root = square * inverse;
   }
 
-  // eigen_of_shape_operator(), of [uu uv; uv vv] in the tangents u and v: its Frobenius norm, the smaller eigenvalue, the larger
-  // one, and their directions. What cancels is left to cancel: a fit is not that exact.
-  [[gnu::always_inline]] static void
-  find_curvatures(const V* normal, const V* u, const V* v, const V& uu, const V& uv, const V& vv, V* result)
+  // that of a level set, [uu uv; uv vv] in tangents u and v
+  struct Shape_operator
   {
-    const V mean = 0.5 * (uu + vv), delta = 0.5 * (uu - vv);
+    [[gnu::always_inline]] void set(const V& gx,
+                                    const V& gy,
+                                    const V& gz,
+                                    const V& xx,
+                                    const V& xy,
+                                    const V& xz,
+                                    const V& yy,
+                                    const V& yz,
+                                    const V& zz)
+    {
+      const V squared_length = gx * gx + gy * gy + gz * gz + s_least_square;
+      V inverse_length;
+      inverse_sqrt(squared_length, inverse_length);
+      length = squared_length * inverse_length;
+      normal[0] = gx * inverse_length;
+      normal[1] = gy * inverse_length;
+      normal[2] = gz * inverse_length;
+      find_tangents(normal, u, v);
+      const V ux = xx * u[0] + xy * u[1] + xz * u[2], uy = xy * u[0] + yy * u[1] + yz * u[2],
+              uz = xz * u[0] + yz * u[1] + zz * u[2];
+      const V vx = xx * v[0] + xy * v[1] + xz * v[2], vy = xy * v[0] + yy * v[1] + yz * v[2],
+              vz = xz * v[0] + yz * v[1] + zz * v[2];
+      uu = (u[0] * ux + u[1] * uy + u[2] * uz) * inverse_length;
+      uv = (u[0] * vx + u[1] * vy + u[2] * vz) * inverse_length;
+      vv = (v[0] * vx + v[1] * vy + v[2] * vz) * inverse_length;
+    }
+
+    V length; // of the gradient
+    V normal[3], u[3], v[3];
+    V uu, uv, vv;
+  };
+
+  // eigen_of_shape_operator(): the smaller eigenvalue, the larger one, and their directions. What cancels is left to cancel: a fit
+  // is not that exact.
+  [[gnu::always_inline]] static void find_curvatures(const Shape_operator& shape, V* result)
+  {
+    const V mean = 0.5 * (shape.uu + shape.vv), delta = 0.5 * (shape.uu - shape.vv), uv = shape.uv;
+    const V* const normal = shape.normal;
     V radius, length;
     square_root(V(delta * delta + uv * uv), radius);
-    square_root(V(uu * uu + vv * vv + 2. * uv * uv), result[0]);
-    result[1] = mean - radius;
-    result[2] = mean + radius;
+    result[0] = mean - radius;
+    result[1] = mean + radius;
     // (radius + delta, uv) and (uv, radius - delta) are parallel; take the one that is the sum of two positive terms
     V one;
     set_lanes(one, 1.);
@@ -347,10 +386,10 @@ private:
     along *= length;
     across *= length;
     const V c = delta < 0. ? across : along, s = delta < 0. ? along : across;
-    V* const min_direction = result + 3;
-    V* const max_direction = result + 6;
+    V* const min_direction = result + 2;
+    V* const max_direction = result + 5;
     for(std::size_t k = 0; k < 3; ++k)
-      max_direction[k] = c * u[k] + s * v[k];
+      max_direction[k] = c * shape.u[k] + s * shape.v[k];
     for(std::size_t k = 0; k < 3; ++k)
       min_direction[k] =
           normal[(k + 1) % 3] * max_direction[(k + 2) % 3] - normal[(k + 2) % 3] * max_direction[(k + 1) % 3];

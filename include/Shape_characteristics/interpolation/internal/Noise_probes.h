@@ -118,7 +118,7 @@ public:
     // Either looks like noise; true noise is seen both ways.
     typename Fit::Options options;
     const double level = level_of(Fit(m_surface, phi, options));
-    if(!m_is_uneven)
+    if(!m_is_uneven || !(level > m_levels[0]))
       return level;
     options.rings_are_evened_out = false;
     return (std::min)(level, level_of(Fit(m_surface, phi, options)));
