@@ -10,6 +10,7 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
+#include <Shape_characteristics/interpolation/internal/bend_by_heights.h>
 #include <Shape_characteristics/interpolation/internal/trend_of_exact_fit.h>
 
 #include <Eigen/Core>
@@ -153,7 +154,7 @@ public:
                                                            number_of_neighbors, number_of_neighbors, false,
                                                            internal::Scaled_neighborhood::crowd)))
       return std::numeric_limits<double>::quiet_NaN();
-    set_up_noisy(workspace);
+    set_up_noisy(workspace, false);
     const internal::Noisy_fit_attempts noise(workspace.neighborhood, noise_level);
     return workspace.system.solve_positive_definite(noise.value_variance(), noise.derivative_variance())
                ? workspace.system.log_likelihood()
@@ -237,11 +238,13 @@ private:
     return false;
   }
 
-  void set_up_noisy(Workspace& workspace) const
+  void set_up_noisy(Workspace& workspace, bool bends_trend) const
   {
     const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
-    workspace.system.clear(basis_function(neighborhood.points.size()),
-                           internal::Hermite_trend(internal::trend_of_noisy_fit(neighborhood.normals)));
+    internal::Hermite_trend trend(internal::trend_of_noisy_fit(neighborhood.normals));
+    if(bends_trend)
+      internal::bend_by_heights(trend, neighborhood.points);
+    workspace.system.clear(basis_function(neighborhood.points.size()), trend);
     add_gradients(workspace);
   }
 
@@ -259,11 +262,11 @@ private:
 
   bool fit_noisy(Workspace& workspace, internal::Hermite_jet& jet, Vector& displacement) const
   {
-    set_up_noisy(workspace);
     internal::Noisy_fit_attempts attempts(workspace.neighborhood, m_options.noise_level,
                                           m_options.normal_noise_level);
     for(bool go_on = true; go_on;)
     {
+      set_up_noisy(workspace, attempts.bends_trend());
       if(!workspace.system.solve_positive_definite(attempts.value_variance(), attempts.derivative_variance()))
       {
         go_on = attempts.next_if_indefinite();

@@ -148,11 +148,10 @@ private:
     std::size_t passes = 1;
     if(!m_normals_are_exact)
     {
-      constexpr double negligible = 1e-4;
       const bool level_is_given = m_noise_level >= 0.;
       options.noise_level = level_is_given ? m_noise_level : Noise_probes<SampledSurface>(surface).level(phi);
       options.normal_noise_level = m_normal_noise_level;
-      const bool is_noisy = !(options.noise_level < negligible);
+      const bool is_noisy = !(options.noise_level < Noisy_fit_attempts::negligible);
       passes = m_passes > 0 ? m_passes : is_noisy ? std::size_t(passes_over_noise) : 1;
       if(!level_is_given && is_noisy && passes > 1)
         options.noise_level *=

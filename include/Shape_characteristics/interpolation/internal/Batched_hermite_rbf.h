@@ -190,6 +190,7 @@ public:
       for(std::size_t level = 0; level < noise_levels.size(); ++level)
       {
         task.noisy = Noisy_fit_attempts(neighborhood, noise_levels[level]);
+        task.noisy.keep_trend_straight();
         task.first_served = k * noise_levels.size() + level; // nothing is served: where the answer goes
         workspace.m_tasks.push_back(task);
       }
@@ -433,6 +434,7 @@ private:
     batch.set(batch.value_noise, 0, lane, unit * unit * value_variance);
     batch.set(batch.derivative_noise, 0, lane,
               is_exact ? task.exact.derivative_variance() : task.noisy.derivative_variance());
+    batch.set(batch.bends, 0, lane, task.noisy.bends_trend() ? 1. : 0.);
   }
 
   void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const

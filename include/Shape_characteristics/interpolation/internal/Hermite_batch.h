@@ -47,12 +47,12 @@ public:
     m_equations = equations;
     number_of_equations = equations == Hermite_equations::TANGENTS ? 3 * max_centers + 1 : 4 * max_centers;
     panels = (number_of_equations + 3) / 4;
-    const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 8 * max_centers : 0;
+    const std::size_t tangents_size = equations == Hermite_equations::TANGENTS ? 8 * max_centers : 6;
     const std::size_t right_sides = equations == Hermite_equations::TANGENTS ? 1 : 4;
     const std::array<std::size_t, 10> sizes = {6 * max_centers, // points, normals
                                                tangents_size,
                                                3 + Height_polynomial<double>::size, // trend, bend
-                                               8,                         // counts, noise, unit, scaling
+                                               9, // counts, noise, unit, scaling, bends
                                                4 * panels * right_sides,  // solution, noise
                                                4 * max_centers,           // weights
                                                3 * max_centers + 5,       // at the first center, polynomial
@@ -83,6 +83,7 @@ public:
     unit = derivative_noise + lanes;
     axis = unit + lanes;
     compression = axis + 3 * lanes;
+    bends = compression + lanes;
     solution = next(4);
     first_noise = solution + 4 * panels * lanes;
     weights = next(5);
@@ -178,21 +179,23 @@ public:
 
   std::size_t number_of_equations = 0, panels = 0;
   bool wants_log_likelihood = false;
-  double radius = 0.;               // largest distance of a center from the first
-  std::size_t smallest_count = 0;   // centers that no lane lacks
-  double* points = nullptr;         // 3 numbers for each center
-  double* normals = nullptr;        // 3 numbers for each center
-  double* tangents = nullptr;       // of TANGENTS: 6 numbers for each center, found from the normals
+  double radius = 0.;             // largest distance of a center from the first
+  std::size_t smallest_count = 0; // centers that no lane lacks
+  double* points = nullptr;       // 3 numbers for each center
+  double* normals = nullptr;      // 3 numbers for each center
+  double* tangents =
+      nullptr; // 6 numbers for each center, found from the normals; of GRADIENTS, for the trend
   double* along_tangents = nullptr; // of TANGENTS: how far each center lies along its tangents, 2 numbers
   double* trend = nullptr;          // 3 numbers; of TANGENTS also the normal of the first center
-  double* bend = nullptr;           // of TANGENTS: Height_polynomial over the tangents of the first center
-  double* count = nullptr;          // number of centers
-  double* value_noise = nullptr;    // variances of the data
+  double* bend = nullptr;        // Height_polynomial over the tangents of the first center, or of the trend
+  double* count = nullptr;       // number of centers
+  double* value_noise = nullptr; // variances of the data
   double* derivative_noise = nullptr;
   double* unit = nullptr; // root mean square distance of the points from the first
   double* axis =
       nullptr; // of unit length: along it, space is the number in `compression` plus 1 times as long
   double* compression = nullptr;
+  double* bends = nullptr;    // of GRADIENTS: whether the trend may, 1 or 0
   bool is_any_scaled = false; // whether `compression` is other than 0
   double* solution = nullptr;
   // of GRADIENTS: how much of the noise of each derivative at the first center is in an equation, 3 right sides more; the matrix

@@ -151,6 +151,7 @@ public:
                      double normal_noise_level = default_normal_noise_level)
   {
     const double noise = noise_level * neighborhood.nearest_size;
+    m_bends_trend = noise_level < negligible;
     m_value_variance = (std::max)(noise * noise, nugget(neighborhood.rounding_error));
     m_derivative_variance =
         (std::max)(normal_noise_level * normal_noise_level, nugget(neighborhood.rounding_error));
@@ -158,6 +159,10 @@ public:
 
   double value_variance() const { return m_value_variance; }
   double derivative_variance() const { return m_derivative_variance; }
+
+  // whether points may tell how the trend bends: those of the first attempt, if they are hardly noisy
+  bool bends_trend() const { return m_bends_trend && m_failures == 0; }
+  void keep_trend_straight() { m_bends_trend = false; }
 
   // whether the function has a zero set near the sample; `displacement` is how far
   static bool is_surface(const Fit_quality& quality, const Eigen::Vector3d& displacement)
@@ -190,11 +195,14 @@ public:
   // estimated normals are weak evidence beside good positions: a variance of .1
   static constexpr double default_normal_noise_level = .31622776601683794;
 
+  static constexpr double negligible = 1e-4; // noise level
+
 private:
   static constexpr int s_attempts = 9; // with noise levels that are ever farther from the given ones
   static constexpr double s_largest_curvature = 4.;
 
   double m_value_variance = 0., m_derivative_variance = 0.;
+  bool m_bends_trend = false;
   int m_failures = 0;
 };
 

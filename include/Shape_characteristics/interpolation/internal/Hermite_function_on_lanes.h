@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FUNCTION_ON_LANES_H
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_FUNCTION_ON_LANES_H
 
+#include <Shape_characteristics/interpolation/internal/Cubic_height_fit.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial.h>
 #include <Shape_characteristics/interpolation/internal/Height_polynomial_fit.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
@@ -47,7 +48,10 @@ public:
       assemble_tangents(batch, basis_function);
     }
     else
+    {
+      bend_trend_by_heights(batch);
       assemble_gradients(batch, basis_function);
+    }
     const V* const solution = vectors(batch.solution);
     V* const right_side = vectors(batch.right_side);
     for(std::size_t r = 0; r < 4 * batch.panels; ++r)
@@ -102,33 +106,30 @@ public:
         yz += dy * ez + dz * ey;
       }
     }
-    if(batch.equations() == Hermite_equations::TANGENTS)
+    const Bent_trend bent(batch);
+    V a, b, h, ha, hb;
+    bent.project(x, y, z, a, b);
+    bent.height.value(a, b, h);
+    bent.height.gradient(a, b, ha, hb);
+    value -= h;
+    const V* const u = bent.u;
+    const V* const v = bent.v;
+    gx -= ha * u[0] + hb * v[0];
+    gy -= ha * u[1] + hb * v[1];
+    gz -= ha * u[2] + hb * v[2];
+    if constexpr(with_hessian)
     {
-      const Bent_trend bent(batch);
-      V a, b, h, ha, hb;
-      bent.project(x, y, z, a, b);
-      bent.height.value(a, b, h);
-      bent.height.gradient(a, b, ha, hb);
-      value -= h;
-      const V* const u = bent.u;
-      const V* const v = bent.v;
-      gx -= ha * u[0] + hb * v[0];
-      gy -= ha * u[1] + hb * v[1];
-      gz -= ha * u[2] + hb * v[2];
-      if constexpr(with_hessian)
-      {
-        V haa, hab, hbb;
-        bent.height.hessian(a, b, haa, hab, hbb);
-        // the images of u and v
-        const V px = haa * u[0] + hab * v[0], py = haa * u[1] + hab * v[1], pz = haa * u[2] + hab * v[2];
-        const V qx = hab * u[0] + hbb * v[0], qy = hab * u[1] + hbb * v[1], qz = hab * u[2] + hbb * v[2];
-        xx -= px * u[0] + qx * v[0];
-        yy -= py * u[1] + qy * v[1];
-        zz -= pz * u[2] + qz * v[2];
-        xy -= 2. * (px * u[1] + qx * v[1]);
-        xz -= 2. * (px * u[2] + qx * v[2]);
-        yz -= 2. * (py * u[2] + qy * v[2]);
-      }
+      V haa, hab, hbb;
+      bent.height.hessian(a, b, haa, hab, hbb);
+      // the images of u and v
+      const V px = haa * u[0] + hab * v[0], py = haa * u[1] + hab * v[1], pz = haa * u[2] + hab * v[2];
+      const V qx = hab * u[0] + hbb * v[0], qy = hab * u[1] + hbb * v[1], qz = hab * u[2] + hbb * v[2];
+      xx -= px * u[0] + qx * v[0];
+      yy -= py * u[1] + qy * v[1];
+      zz -= pz * u[2] + qz * v[2];
+      xy -= 2. * (px * u[1] + qx * v[1]);
+      xz -= 2. * (px * u[2] + qx * v[2]);
+      yz -= 2. * (py * u[2] + qy * v[2]);
     }
     V* const jet = vectors(batch.jet);
     jet[0] = value;
@@ -444,6 +445,32 @@ private:
     }
   }
 
+  // bend_by_heights()
+  [[gnu::always_inline]] static void bend_trend_by_heights(Hermite_batch& batch)
+  {
+    const V* const points = vectors(batch.points);
+    const V* const w = vectors(batch.trend);
+    const V inverse = 1. / *vectors(batch.unit);
+    V* const u = vectors(batch.tangents);
+    V* const v = u + 3;
+    find_tangents(w, u, v);
+    Cubic_height_fit<V> fit;
+    for(std::size_t i = 0; i < batch.centers(); ++i)
+    {
+      V present;
+      presence(batch, i, present);
+      const V x = points[3 * i] * inverse, y = points[3 * i + 1] * inverse, z = points[3 * i + 2] * inverse;
+      fit.add(present, V(u[0] * x + u[1] * y + u[2] * z), V(v[0] * x + v[1] * y + v[2] * z),
+              V(w[0] * x + w[1] * y + w[2] * z));
+    }
+    Height_polynomial<V> height;
+    fit.solve(height);
+    height.magnify(inverse);
+    V* const coefficients = vectors(batch.bend);
+    for(std::size_t k = 0; k < height.size; ++k)
+      coefficients[k] = *vectors(batch.bends) * height.c[k];
+  }
+
   [[gnu::always_inline]] static void assemble_gradients(Hermite_batch& batch,
                                                         const Basis_function& basis_function)
   {
@@ -452,7 +479,7 @@ private:
     const V* const at_first = vectors(batch.at_first);
     const V* const points = vectors(batch.points);
     const V* const normals = vectors(batch.normals);
-    const V* const trend = vectors(batch.trend);
+    const Bent_trend bent(batch);
     V* const first_noise = vectors(batch.first_noise);
     const V value_noise = *vectors(batch.value_noise), derivative_noise = *vectors(batch.derivative_noise);
     const bool is_near = are_near(2. * batch.radius);
@@ -500,10 +527,14 @@ private:
       if(i > 0)
         for(std::size_t k = 1; k < 4; ++k)
           diagonal[5 * k] += derivative_noise + absent;
-      solution[4 * i] = -present * (normals[0] * p[0] + normals[1] * p[1] + normals[2] * p[2]);
+      V a, b, h, gradient[3];
+      bent.project(p[0], p[1], p[2], a, b);
+      bent.height.value(a, b, h);
+      bent.gradient(a, b, gradient[0], gradient[1], gradient[2]);
+      solution[4 * i] = present * (h - (normals[0] * p[0] + normals[1] * p[1] + normals[2] * p[2]));
       for(std::size_t k = 0; k < 3; ++k)
       {
-        solution[4 * i + 1 + k] = present * (normals[3 * i + k] - trend[k]);
+        solution[4 * i + 1 + k] = present * (normals[3 * i + k] - gradient[k]);
         V* const noise = first_noise + (k * batch.panels + i) * 4;
         noise[0] = -present * p[k];
         for(std::size_t l = 0; l < 3; ++l)
