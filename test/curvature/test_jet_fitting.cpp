@@ -272,6 +272,26 @@ BOOST_AUTO_TEST_CASE(points_that_determine_no_surface)
   BOOST_TEST(run_on_points(spot, SC::parameters::number_of_neighbors(20)).failures == 30u);
 }
 
+// rows of long triangles that bend by more than they are wide: their best plane isn't that of the tangents
+BOOST_AUTO_TEST_CASE(long_triangles)
+{
+  for(const std::size_t around : {24, 48})
+  {
+    const Analytic_surface s = test_support::torus(2., .7, around, 6 * around);
+    const Result result = run(Jet_fitting{4, 2}, surface_mesh_of(s), s, Normals::EXACT);
+    std::size_t estimated = 0;
+    for(std::size_t i = 0; i < s.points.size(); ++i)
+    {
+      if(!SC::is_estimated(result.status[i]))
+        continue;
+      ++estimated;
+      BOOST_TEST(std::abs(result.curvatures[i].min_curvature - s.exact[i].k_min) < .1);
+      BOOST_TEST(std::abs(result.curvatures[i].max_curvature - s.exact[i].k_max) < .1);
+    }
+    BOOST_TEST(estimated > s.points.size() * 3 / 4);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(bad_parameters)
 {
   const Surface_mesh mesh = surface_mesh_of(test_support::sphere(1., 1));

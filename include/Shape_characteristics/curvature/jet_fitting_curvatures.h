@@ -83,7 +83,8 @@ private:
       return Curvature_estimate(Estimation_status::DEGENERATE);
     const Eigen::Vector3d& n = m_surface.normal(i);
     const double cosine = n.dot(to_eigen(monge.normal_direction()));
-    if(!(std::abs(cosine) > s_smallest_cosine))
+    const double cosine_of_plane = n.dot(to_eigen(jet_fitting.pca_basis(2).second));
+    if(!(std::abs(cosine) > s_smallest_cosine && std::abs(cosine_of_plane) > s_smallest_cosine_of_plane))
       return Curvature_estimate(Estimation_status::DEGENERATE);
     monge.comply_wrt_given_normal(Kernel::Vector_3(n.x(), n.y(), n.z()));
 
@@ -106,6 +107,9 @@ private:
   static constexpr double s_largest_condition = 3e10;
   // a fitted surface nearly perpendicular to the given one has no outside
   static constexpr double s_smallest_cosine = 0.1;
+  // A neighborhood that bends by more than it is wide fits best a plane that is seen from its side: there the surface isn't a
+  // height, whatever normal the polynomial has.
+  static constexpr double s_smallest_cosine_of_plane = 0.3;
   // of the cosine between the principal directions
   static constexpr double s_largest_inexactness = 1e-5;
 
@@ -123,7 +127,7 @@ private:
 
   The vertex and its neighbors are described as a height over the plane that fits them best, and a polynomial of
   the given degree is fitted to it by least squares. The curvatures are those of the polynomial at the vertex. Normals
-  don't take part, but for saying which side is outside. On a smooth surface without noise, the error falls with the power
+  don't take part, but for saying which side is outside and refusing what is perpendicular to them. On a smooth surface without noise, the error falls with the power
   `degree_fitting` - 1 of the size of the neighborhood.
 
   \scConcurrencyTag
@@ -154,8 +158,9 @@ private:
   \cgalNamedParamsEnd
 
   The principal directions are orthogonal to the normal of the fitted surface, which is not exactly the given one. Where
-  the points don't determine a polynomial (points on a line, say), or its normal is almost perpendicular to the given
-  one, the status is `DEGENERATE`.
+  the points don't determine a polynomial (points on a line, say), or the given normal is almost perpendicular to that of the
+  polynomial or of the plane, the status is `DEGENERATE`. The plane is seen from its side where rows of long triangles
+  bend by more than they are wide.
 
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
