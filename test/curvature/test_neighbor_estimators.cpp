@@ -376,6 +376,15 @@ BOOST_AUTO_TEST_CASE(convergence)
   BOOST_TEST(convergence_order(kalogerakis, torus(.2), Normals::ESTIMATED) > .8);
 }
 
+// Along rows of triangles twenty times as long as wide few samples tell of the bend across.
+BOOST_AUTO_TEST_CASE(long_triangles)
+{
+  const Analytic_surface s = test_support::torus(2., .7, 48, 6 * 48);
+  const Errors e = errors(s, run(kalogerakis, s, Normals::EXACT), 0.);
+  BOOST_TEST(e.mean < .08);
+  BOOST_TEST(e.largest < .5);
+}
+
 // A roof of two planes: normals in the neighborhood of a vertex near the ridge are of both, but those beyond are cut off.
 BOOST_AUTO_TEST_CASE(features)
 {

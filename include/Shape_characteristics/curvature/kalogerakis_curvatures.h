@@ -27,7 +27,8 @@ namespace Shape_characteristics {
   - the first guess is the one whose residuals at the vertex have the least median, of three fits by least squares (to the
     nearest points, to the nearer ones, and to all) and of fits to the vertex and two neighbors;
   - reweighted least squares refine it, with the weights of Geman's and McClure's M-estimator. The deviation comes
-    from the first guess's median of residuals. Samples farther than three deviations are cut off;
+    from the first guess's median of residuals. Samples farther than three deviations are cut off, unless almost all that
+    tell of the bend in one direction would be, as along rows of long triangles: then all count alike;
   - the normal of each sample is estimated anew, as the mean of its own and of what the normals of its neighbors and the shape
     operator say of it, with the weights of the fit, so that it is never smoothed across a feature. All of this is done
     `number_of_passes` times before the curvatures are estimated.

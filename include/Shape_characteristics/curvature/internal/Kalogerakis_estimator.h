@@ -51,6 +51,13 @@ public:
     return s.allFinite();
   }
 
+  // how well the pairs determine the operator in all directions: 0 if all are parallel, 1/4 if they are spread evenly
+  double spread() const
+  {
+    const double trace = m_xx + m_yy;
+    return determinant(m_xx, m_xy, m_yy) / (trace * trace);
+  }
+
 private:
   double m_xx = 0., m_xy = 0., m_yy = 0., m_l = 0., m_m = 0., m_n = 0.;
 };
@@ -206,6 +213,8 @@ private:
   static constexpr double s_shortest = 1e-3;
   // of deviations: what is farther is across a feature, and cut off
   static constexpr double s_cut_off = 3.;
+  // of the pairs that are left, relative to that of all; of those on one side of a corner it is above .5
+  static constexpr double s_least_spread = .4;
 
   // weights of M-estimation by Geman and McClure, relative to that of no residual
   static double weight(double residual, double deviation)
@@ -332,6 +341,9 @@ private:
       return false;
 
     // Reweighted least squares, with the deviation that the first guess has.
+    Pair_equations of_all;
+    for(const Pair& pair : w.pairs)
+      of_all.add(1., pair.x, pair.y, pair.a, pair.b);
     measure(s, w);
     const double bend = std::sqrt(s[0] * s[0] + 2. * s[1] * s[1] + s[2] * s[2]);
     // so few residuals have too small a median: Rousseeuw's and Leroy's correction
@@ -347,6 +359,12 @@ private:
         const Pair& pair = w.pairs[k];
         w.weights[k] = weight(w.residuals[k], deviation);
         equations.add(w.weights[k], pair.x, pair.y, pair.a, pair.b);
+      }
+      // Along rows of long triangles few pairs tell of the bend across, and look like outliers of a guess from the others.
+      if(!(equations.spread() >= s_least_spread * of_all.spread()))
+      {
+        w.weights.assign(w.pairs.size(), 1.);
+        return of_all.solve(s);
       }
       Vector next;
       if(!equations.solve(next))
