@@ -385,6 +385,46 @@ BOOST_AUTO_TEST_CASE(long_triangles)
   BOOST_TEST(e.largest < .5);
 }
 
+// All neighbors of the middle are on two lines across each other: they say nothing of the products of the coordinates.
+BOOST_AUTO_TEST_CASE(neighbors_on_a_cross)
+{
+  for(const double step : {.1, .025})
+  {
+    Analytic_surface s;
+    s.name = "pole of a paraboloid";
+    constexpr std::size_t rings = 8, degree = 4;
+    const auto add = [&](double r, double angle)
+    {
+      const double x = r * std::cos(angle), y = r * std::sin(angle);
+      s.points.push_back({x, y, -r * r / 2.});
+      test_support::Exact_vertex exact;
+      exact.normal = {x, y, 1.};
+      s.exact.push_back(exact);
+    };
+    const auto place = [&](std::size_t ring, std::size_t k)
+    { return ring == 0 ? 0 : 1 + (ring - 1) * degree + k % degree; };
+    add(0., 0.);
+    for(std::size_t ring = 1; ring <= rings; ++ring)
+      for(std::size_t k = 0; k < degree; ++k)
+      {
+        add(step * double(ring), 2. * CGAL_PI * double(k) / double(degree));
+        const std::size_t a = place(ring - 1, k), b = place(ring, k), c = place(ring, k + 1),
+                          d = place(ring - 1, k + 1);
+        s.triangles.push_back({a, b, c});
+        if(ring > 1)
+          s.triangles.push_back({a, c, d});
+      }
+    for(const Neighbor_estimator& estimator : {batagelo_wu, razdan_bae, kalogerakis})
+    {
+      const Result result = run(estimator, s, Normals::EXACT);
+      if(!SC::is_estimated(result.status[0]))
+        continue;
+      BOOST_TEST(std::abs(result.curvatures[0].min_curvature - 1.) < .1);
+      BOOST_TEST(std::abs(result.curvatures[0].max_curvature - 1.) < .1);
+    }
+  }
+}
+
 // A roof of two planes: normals in the neighborhood of a vertex near the ridge are of both, but those beyond are cut off.
 BOOST_AUTO_TEST_CASE(features)
 {

@@ -69,7 +69,7 @@ private:
     const Vector t2 = n.cross(t1);
 
     Least_squares_equations<9> equations;
-    double p_sum = 0., q_sum = 0., r_sum = 0.;
+    double p_sum = 0., q_sum = 0., r_sum = 0., s_sum = 0.;
     equations.add({1., 0., 0., 0., 0., 0., 0., 0., 0.}, 0.);
     for(const Index j : neighbors)
     {
@@ -78,11 +78,14 @@ private:
       p_sum += xx;
       q_sum += x * y;
       r_sum += yy;
+      s_sum += xx * yy;
       equations.add({1., x, y, .5 * xx, x * y, .5 * yy, xx * y, x * yy, xx * yy}, d.dot(n));
     }
     const double trace = p_sum + r_sum;
     if(!(determinant(p_sum, q_sum, r_sum) > s_least_square * trace * trace))
       return failure; // points on a line
+    if(!(double(neighbors.size()) * s_sum > s_least_square_off_axes * p_sum * r_sum))
+      return failure; // on both axes alone, as at a vertex of degree four: the products are rounding errors
     Least_squares_equations<9>::Coefficients c;
     if(!equations.solve(c, s_smallest_pivot))
       return failure;
@@ -95,7 +98,9 @@ private:
         eigen_of_second_fundamental_form(normal, c[3] * scale, c[4] * scale, c[5] * scale, x_1, x_2));
   }
 
-  static constexpr double s_least_square = 1e-6;   // of a sine
+  static constexpr double s_least_square = 1e-6; // of a sine
+  // of the product of both coordinates, relative to the squares of each; about 1 where points are spread evenly
+  static constexpr double s_least_square_off_axes = .01;
   static constexpr double s_smallest_pivot = 1e-3; // else a larger neighborhood is better
 
   const SampledSurface& m_surface;
