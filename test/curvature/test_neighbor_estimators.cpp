@@ -578,6 +578,35 @@ BOOST_AUTO_TEST_CASE(points)
   }
 }
 
+// The nearest points are in one row, which bends in the tangent plane: nothing tells of the curvature across.
+BOOST_AUTO_TEST_CASE(points_in_one_row)
+{
+  const Analytic_surface s = test_support::torus(2., .7, 640, 24);
+  std::vector<std::size_t> items(s.points.size());
+  std::iota(items.begin(), items.end(), std::size_t(0));
+  std::vector<Kernel::Point_3> positions;
+  std::vector<Kernel::Vector_3> normals;
+  for(std::size_t i = 0; i < items.size(); ++i)
+  {
+    positions.emplace_back(s.points[i][0], s.points[i][1], s.points[i][2]);
+    const auto& n = s.exact[i].normal;
+    normals.emplace_back(n[0], n[1], n[2]);
+  }
+  for(const Neighbor_estimator& estimator : {batagelo_wu, kalogerakis})
+  {
+    std::vector<SC::Estimation_status> status(items.size());
+    const std::size_t failures = Neighbor_estimator::call<CGAL::Sequential_tag>(
+        estimator.method, items,
+        SC::parameters::point_map(CGAL::make_property_map(positions))
+            .normal_map(CGAL::make_property_map(normals))
+            .status_map(CGAL::make_property_map(status))
+            .number_of_neighbors(8));
+    BOOST_TEST(failures == items.size());
+    for(const SC::Estimation_status e : status)
+      BOOST_TEST((e == SC::Estimation_status::DEGENERATE));
+  }
+}
+
 // All around a thin cylinder, normals cancel: there is no direction in which the surface is sought.
 BOOST_AUTO_TEST_CASE(normals_that_cancel)
 {

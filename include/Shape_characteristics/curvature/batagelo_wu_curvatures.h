@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/curvature/internal/are_on_curve.h>
 #include <Shape_characteristics/curvature/internal/estimate_curvatures.h>
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
@@ -79,6 +80,16 @@ private:
     const double trace = p_sum + r_sum, d = determinant(p_sum, q_sum, r_sum);
     if(!(d > s_smallest_determinant * trace * trace))
       return Curvature_estimate(Estimation_status::DEGENERATE);
+    const auto for_each_place = [&](const auto& f)
+    {
+      for(const Index j : neighbors)
+      {
+        const Vector edge = (m_surface.point(j) - p) / size;
+        f(edge.dot(t1), edge.dot(t2));
+      }
+    };
+    if(d < s_usual_determinant * trace * trace && are_on_curve(for_each_place))
+      return Curvature_estimate(Estimation_status::DEGENERATE);
     const double inverse = 1. / (trace * d * size);
     const double b2 = -q_sum * r_sum, b5 = -p_sum * q_sum, qq = q_sum * q_sum;
     return Curvature_estimate(
@@ -90,6 +101,8 @@ private:
 
   // compared to the square of the trace: 0.25 for directions all around; sines of 1e-5
   static constexpr double s_smallest_determinant = 1e-10;
+  // neighbors with more aren't on a curve
+  static constexpr double s_usual_determinant = .1;
 
   const SampledSurface& m_surface;
 };
@@ -218,7 +231,8 @@ Estimation_status batagelo_wu_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`18`}
-      \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`. Six are about what a ring of a mesh has.}
+      \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`. With all of them in one
+                      row, as in scans whose rows are far apart, it is `DEGENERATE`. Six are about what a ring of a mesh has.}
     \cgalParamNEnd
     \scRadiusOfPointSetParameter
     \scCallbackParameter

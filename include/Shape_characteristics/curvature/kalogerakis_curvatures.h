@@ -144,7 +144,8 @@ Estimation_status kalogerakis_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`18`}
-      \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`.}
+      \cgalParamExtra{With fewer than three, every status is `FEW_NEIGHBOURS`. With all of them in one
+                      row, as in scans whose rows are far apart, it is `DEGENERATE`.}
     \cgalParamNEnd
     \scRadiusOfPointSetParameter
     \cgalParamNBegin{number_of_passes}

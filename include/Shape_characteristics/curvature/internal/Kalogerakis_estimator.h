@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/curvature/internal/are_on_curve.h>
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
@@ -277,6 +278,13 @@ private:
       const Vector d = (m_surface.point(j) - p) / size, change = m_surface.normal(j) - n;
       w.points.push_back({d.dot(t1), d.dot(t2), change.dot(t1), change.dot(t2)});
     }
+    const auto for_each_place = [&](const auto& f)
+    {
+      for(std::size_t j = 1; j < w.points.size(); ++j)
+        f(w.points[j].x, w.points[j].y);
+    };
+    if(are_on_curve(for_each_place))
+      return false;
     // every point with every other one
     w.pairs.clear();
     w.central.clear();
