@@ -49,9 +49,9 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
 
   This is the accurate estimator: on smooth surfaces that are sampled well, and with exact normals, its error is a millionth
   to a ten-thousandth of the largest curvature, and a finer mesh makes it smaller still: where a polynomial of degree 4 over the
-  tangent plane leaves little, the basis function is fitted to what it leaves. Normals that are estimated from the mesh, and
-  noise on the points, are dealt with by default: they are weighed against each other by their evidence, see `noise_level`. A
-  surface that is sampled coarsely looks a little noisy as well; where it is known to be clean, `noise_level(0)` is better. At
+  tangent plane (of degree 3 with other normals) leaves little, the basis function is fitted to what it leaves. Normals that are
+  estimated from the mesh, and noise on the points, are dealt with by default: they are weighed against each other by their
+  evidence, see `noise_level`. A surface that is sampled coarsely looks a little noisy as well; where it is known to be clean, `noise_level(0)` is better. At
   sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing beside it.
 
   Where triangles are much longer than wide, as CAD programs make them for cylinders, rings reach farther along them than across.
@@ -66,7 +66,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   fit for each vertex.
 
   With normals that are given, the results follow scaling by powers of two to the last bit. Other scalings and rigid motions they
-  follow to 1e-9 of the largest curvature on meshes, to some 1e-9 on point sets at the border, where all the neighbors lie on one
+  follow to 1e-9 of the largest curvature on regular meshes, to some 1e-8 at single vertices of irregular ones (1e-7 where all of the
+  surface bends little from sample to sample), to some 1e-9 on point sets at the border, where all the neighbors lie on one
   side, and at tips, and to 1e-6 on fine meshes with normals that are said to be exact and aren't: the systems of equations magnify
   the rounding of the coordinates.
 

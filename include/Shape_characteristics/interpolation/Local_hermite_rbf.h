@@ -56,7 +56,8 @@ struct Local_implicit_surface
     direction is used and not its length. Solved by Cholesky's method. Where a polynomial of degree 4 over the tangent plane
     leaves little of the data, the basis function is fitted to what it leaves.
   - a positive definite one, with inexact normals: \f$ 4m \f$ equations for values and gradients, solved as a
-    Gaussian process whose noise levels are given. The derivatives are taken at the nearest point of the zero set.
+    Gaussian process whose noise levels are given. The derivatives are taken at the nearest point of the zero set. Where points that
+    are hardly noisy are all around the sample and nearly on a polynomial of degree 3, the basis function is fitted to what it leaves.
   - any other: the thesis's \f$ 4m \f$ equations (3.11), solved by LU. The derivatives are taken at the sample, or with
     inexact normals averaged over a Poisson-disc pattern in the tangent plane (8.5, 8.6).
 
