@@ -23,45 +23,53 @@ public:
   // a point that counts if `weight` is 1, and not if it is 0
   [[gnu::always_inline]] void add(const V& weight, const V& x, const V& y, const V& height)
   {
-    V one;
-    set_lanes(one, 1.);
-    const V xx = x * x, xy = x * y, yy = y * y;
-    const V row[s_size] = {one, x, y, xx, xy, yy, xx * x, xx * y, x * yy, yy * y};
-    for(int i = 0; i < s_size; ++i)
+    V xs[s_moments], ys[s_moments];
+    set_lanes(xs[0], 1.);
+    set_lanes(ys[0], 1.);
+    for(int k = 1; k < s_moments; ++k)
     {
-      const V weighted = weight * row[i];
-      for(int j = 0; j <= i; ++j)
-        m_matrix[i][j] += weighted * row[j];
-      m_right[i] += weighted * height;
+      xs[k] = xs[k - 1] * x;
+      ys[k] = ys[k - 1] * y;
     }
+    for(int a = 0; a < s_moments; ++a)
+    {
+      const V weighted = weight * xs[a];
+      for(int b = 0; a + b < s_moments; ++b)
+        m_moments[a][b] += weighted * ys[b];
+    }
+    for(int degree = 0, k = 0; degree <= s_degree; ++degree)
+      for(int b = 0; b <= degree; ++b, ++k)
+        m_right[k] += weight * height * xs[degree - b] * ys[b];
     m_square += weight * height * height;
   }
 
   [[gnu::always_inline]] void solve(Height_polynomial<V>& polynomial) const
   {
-    const V &number_of_points = m_matrix[0][0], held = s_held * number_of_points;
+    const V &number_of_points = m_moments[0][0], held = s_held * number_of_points;
     V factor[s_size][s_size], inverse[s_size], y[s_size]; // L D L^T, inverse D
     V remainder = m_square;
-    for(int i = 0; i < s_size; ++i)
-    {
-      y[i] = m_right[i];
-      for(int j = 0; j <= i; ++j)
+    for(int di = 0, i = 0; di <= s_degree; ++di)
+      for(int bi = 0; bi <= di; ++bi, ++i)
       {
-        V entry = m_matrix[i][j];
-        if(i == j)
-          entry += i < s_lower ? held : held / Height_polynomial<V>::binomials[i - s_lower];
-        for(int k = 0; k < j; ++k)
-          entry -= factor[i][k] * factor[j][k] * inverse[k];
-        if(i == j)
-          inverse[i] = 1. / entry;
-        else
-          factor[i][j] = entry;
+        y[i] = m_right[i];
+        for(int dj = 0, j = 0; dj <= di; ++dj)
+          for(int bj = 0; bj <= dj && j <= i; ++bj, ++j)
+          {
+            V entry = m_moments[di - bi + dj - bj][bi + bj];
+            if(i == j)
+              entry += i < s_lower ? held : held / Height_polynomial<V>::binomials[i - s_lower];
+            for(int k = 0; k < j; ++k)
+              entry -= factor[i][k] * factor[j][k] * inverse[k];
+            if(i == j)
+              inverse[i] = 1. / entry;
+            else
+              factor[i][j] = entry;
+          }
+        for(int k = 0; k < i; ++k)
+          y[i] -= factor[i][k] * y[k];
+        remainder -= y[i] * y[i] * inverse[i];
+        y[i] *= inverse[i];
       }
-      for(int k = 0; k < i; ++k)
-        y[i] -= factor[i][k] * y[k];
-      remainder -= y[i] * y[i] * inverse[i];
-      y[i] *= inverse[i];
-    }
     for(int i = s_size; i-- > s_lower;)
     {
       V& c = polynomial.c[i - s_lower];
@@ -70,7 +78,7 @@ public:
         c -= factor[k][i] * inverse[i] * polynomial.c[k - s_lower];
     }
 
-    const V offset = (m_matrix[1][0] * m_matrix[1][0] + m_matrix[2][0] * m_matrix[2][0]) /
+    const V offset = (m_moments[1][0] * m_moments[1][0] + m_moments[0][1] * m_moments[0][1]) /
                      (number_of_points * number_of_points);
     V one, zero{};
     set_lanes(one, 1.);
@@ -88,13 +96,14 @@ public:
   }
 
 private:
-  static constexpr int s_size = 10,
-                       s_lower = 3;      // coefficients; those of lower degrees than a Height_polynomial's
-  static constexpr double s_held = 1e-4; // of the number of points
-  static constexpr double s_remainder = 7e-4; // of heights, root mean square; twice as much is too much
+  static constexpr int s_degree = 3, s_moments = 2 * s_degree + 1;
+  static constexpr int s_size = 10, s_lower = 3; // coefficients: all, and those that are left out
+  // Of heights, root mean square: twice as much is too much. On coarser meshes, the answer would be no better than a plane.
+  static constexpr double s_remainder = 7e-4;
+  static constexpr double s_held = 1e-4;                           // of the number of points
   static constexpr double s_least_offset = .3, s_most_offset = .5; // of the points' centroid
 
-  V m_matrix[s_size][s_size] = {};
+  V m_moments[s_moments][s_moments] = {}; // sums of x^a y^b of all points
   V m_right[s_size] = {};
   V m_square = {};
 };

@@ -450,25 +450,28 @@ private:
   {
     const V* const points = vectors(batch.points);
     const V* const w = vectors(batch.trend);
-    const V inverse = 1. / *vectors(batch.unit);
+    const V &bends = *vectors(batch.bends), inverse = 1. / *vectors(batch.unit);
     V* const u = vectors(batch.tangents);
     V* const v = u + 3;
     find_tangents(w, u, v);
-    Cubic_height_fit<V> fit;
-    for(std::size_t i = 0; i < batch.centers(); ++i)
-    {
-      V present;
-      presence(batch, i, present);
-      const V x = points[3 * i] * inverse, y = points[3 * i + 1] * inverse, z = points[3 * i + 2] * inverse;
-      fit.add(present, V(u[0] * x + u[1] * y + u[2] * z), V(v[0] * x + v[1] * y + v[2] * z),
-              V(w[0] * x + w[1] * y + w[2] * z));
-    }
     Height_polynomial<V> height;
-    fit.solve(height);
-    height.magnify(inverse);
+    if(largest(bends) > 0.)
+    {
+      Cubic_height_fit<V> fit;
+      for(std::size_t i = 0; i < batch.centers(); ++i)
+      {
+        V present;
+        presence(batch, i, present);
+        const V x = points[3 * i] * inverse, y = points[3 * i + 1] * inverse, z = points[3 * i + 2] * inverse;
+        fit.add(present, V(u[0] * x + u[1] * y + u[2] * z), V(v[0] * x + v[1] * y + v[2] * z),
+                V(w[0] * x + w[1] * y + w[2] * z));
+      }
+      fit.solve(height);
+      height.magnify(inverse);
+    }
     V* const coefficients = vectors(batch.bend);
     for(std::size_t k = 0; k < height.size; ++k)
-      coefficients[k] = *vectors(batch.bends) * height.c[k];
+      coefficients[k] = bends * height.c[k];
   }
 
   [[gnu::always_inline]] static void assemble_gradients(Hermite_batch& batch,
