@@ -13,6 +13,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/tags.h>
 
+#include "Curvature_estimates.h"
 #include "analytic_surfaces.h"
 
 #include <boost/test/test_tools.hpp>
@@ -41,14 +42,7 @@ using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Polyhedron = CGAL::Polyhedron_3<Kernel>;
 using Polyhedron_with_ids = CGAL::Polyhedron_3<Kernel, CGAL::Polyhedron_items_with_id_3>;
 using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
-
-struct Result
-{
-  std::vector<Curvatures> curvatures;
-  std::vector<double> mean, Gaussian;
-  std::vector<SC::Estimation_status> status;
-  std::size_t failures = 0;
-};
+using Result = test_support::Curvature_estimates;
 
 enum class Normals
 {

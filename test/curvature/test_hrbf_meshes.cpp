@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "Numbered_points.h"
 #include "hrbf_estimator.h"
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
@@ -12,10 +13,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(hrbf_meshes)
@@ -42,56 +41,11 @@ const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyha
 const Hrbf cubic_exact{[](const auto& np)
                        { return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<3>()); }};
 
-// a point set by number, as CGAL::Point_set_3 is one
-struct Cloud
+template <typename Extend>
+Result run_on_points(const Hrbf<Extend>& estimator, const test_support::Numbered_points& points)
 {
-  std::vector<std::size_t> indices;
-  std::vector<Point_3> points;
-  std::vector<Vector_3> normals;
-  std::vector<Curvatures> curvatures;
-  std::vector<double> mean, Gaussian;
-  std::vector<SC::Estimation_status> status;
-
-  Cloud(const Analytic_surface& s, const std::vector<Vector_3>& n) : indices(s.points.size()), normals(n)
-  {
-    std::iota(indices.begin(), indices.end(), std::size_t(0));
-    for(const auto& p : s.points)
-      points.emplace_back(p[0], p[1], p[2]);
-    curvatures.resize(points.size());
-    mean.resize(points.size());
-    Gaussian.resize(points.size());
-    status.resize(points.size(), SC::Estimation_status::CANCELLED);
-  }
-
-  auto parameters()
-  {
-    return SC::parameters::point_map(CGAL::make_property_map(points))
-        .normal_map(CGAL::make_property_map(normals))
-        .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
-        .mean_curvature_map(CGAL::make_property_map(mean))
-        .Gaussian_curvature_map(CGAL::make_property_map(Gaussian))
-        .status_map(CGAL::make_property_map(status));
-  }
-
-  template <typename NamedParameters>
-  Result run(const NamedParameters& np)
-  {
-    Result result;
-    result.failures = SC::hrbf_curvatures<CGAL::Sequential_tag>(indices, np);
-    result.curvatures = curvatures;
-    result.mean = mean;
-    result.Gaussian = Gaussian;
-    result.status = status;
-    return result;
-  }
-};
-
-std::vector<Vector_3> exact_normals(const Analytic_surface& s)
-{
-  std::vector<Vector_3> normals;
-  for(const Exact_vertex& e : s.exact)
-    normals.emplace_back(e.normal[0], e.normal[1], e.normal[2]);
-  return normals;
+  return points.estimates([&](const auto& numbers, const auto& np)
+                          { return estimator.template all<CGAL::Sequential_tag>(numbers, np); });
 }
 
 } // namespace
@@ -141,8 +95,10 @@ BOOST_AUTO_TEST_CASE(scale_of_open_point_sets)
         {
           const auto run = [&](const Analytic_surface& surface)
           {
-            Cloud cloud(surface, exact_normals(surface));
-            return cloud.run(cloud.parameters().number_of_neighbors(neighbors).normals_are_exact(are_exact));
+            return run_on_points(Hrbf{[&](const auto& np) {
+                                   return np.number_of_neighbors(neighbors).normals_are_exact(are_exact);
+                                 }},
+                                 test_support::Numbered_points(surface));
           };
           const Result original = run(s);
           double largest = 0.;
@@ -221,17 +177,15 @@ BOOST_AUTO_TEST_CASE(point_set_equals_mesh)
 {
   const Analytic_surface s = test_support::ellipsoid(1., .8, .6, 3, .2, 5);
   const Surface_mesh mesh = surface_mesh_of(s);
-  Cloud cloud(s, exact_normals(s));
+  const test_support::Numbered_points points(s);
   const double radius = 2.2 * s.mean_edge_length();
-
-  const Hrbf ball{[&](const auto& np)
-                  { return np.normals_are_exact(true).fits_are_shared(false).neighbor_radius(radius); }};
-  BOOST_TEST(same_bits(
-      run(ball, mesh, s, Normals::EXACT),
-      cloud.run(cloud.parameters().normals_are_exact(true).fits_are_shared(false).neighbor_radius(radius))));
-  const Hrbf inexact{[&](const auto& np) { return np.fits_are_shared(false).neighbor_radius(radius); }};
-  BOOST_TEST(same_bits(run(inexact, mesh, s, Normals::EXACT),
-                       cloud.run(cloud.parameters().fits_are_shared(false).neighbor_radius(radius))));
+  for(const bool are_exact : {true, false})
+  {
+    const Hrbf ball{[&](const auto& np) {
+      return np.normals_are_exact(are_exact).fits_are_shared(false).neighbor_radius(radius);
+    }};
+    BOOST_TEST(same_bits(run(ball, mesh, s, Normals::EXACT), run_on_points(ball, points)));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(point_sets_are_accurate)
@@ -239,25 +193,27 @@ BOOST_AUTO_TEST_CASE(point_sets_are_accurate)
   for(const Analytic_surface& s :
       {test_support::sphere(2., 3, .2, 5), test_support::torus(1., .4, 48, 24, .2, 5)})
   {
-    Cloud cloud(s, exact_normals(s));
-    const auto check = [&](const char* name, const Result& result, double bound)
+    const test_support::Numbered_points points(s);
+    const auto check = [&](const char* name, double bound, const auto& extend)
     {
+      const Result result = run_on_points(Hrbf{extend}, points);
       check_consistency(result);
       const Errors e = errors(s, result, 0.);
       BOOST_TEST_MESSAGE(s.name << ", " << name << ": largest error " << e.largest);
       BOOST_TEST(e.largest < bound);
     };
-    const auto shared = cloud.parameters();
-    const auto np = shared.fits_are_shared(false);
-    check("shared, 18 neighbors, exact", cloud.run(shared.normals_are_exact(true)), 5e-4);
-    check("shared, 18 neighbors", cloud.run(shared), .06);
-    check("18 neighbors, exact", cloud.run(np.normals_are_exact(true)), 3e-4);
-    check("12 neighbors, exact", cloud.run(np.normals_are_exact(true).number_of_neighbors(12u)), 2e-3);
-    check("ball, exact", cloud.run(np.normals_are_exact(true).neighbor_radius(2.2 * s.mean_edge_length())),
-          3e-4);
-    check("18 neighbors", cloud.run(np), .015);
-    check("r^3, exact", cloud.run(np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<3>())),
-          .1);
+    const auto own = [](const auto& np) { return np.fits_are_shared(false); };
+    const auto exact_own = [](const auto& np) { return np.fits_are_shared(false).normals_are_exact(true); };
+    check("shared, 18 neighbors, exact", 5e-4, [](const auto& np) { return np.normals_are_exact(true); });
+    check("shared, 18 neighbors", .06, [](const auto& np) { return np; });
+    check("18 neighbors, exact", 3e-4, exact_own);
+    check("12 neighbors, exact", 2e-3,
+          [&](const auto& np) { return exact_own(np).number_of_neighbors(12u); });
+    check("ball, exact", 3e-4,
+          [&](const auto& np) { return exact_own(np).neighbor_radius(2.2 * s.mean_edge_length()); });
+    check("18 neighbors", .015, own);
+    check("r^3, exact", .1,
+          [&](const auto& np) { return exact_own(np).radial_basis_function(SC::Polyharmonic<3>()); });
   }
 }
 
@@ -382,11 +338,13 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   for(const auto& p : s.points)
     points.emplace_back(p[0], p[1], p[2]);
   BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(points), std::invalid_argument, names("normal_map"));
-  Cloud cloud(s, exact_normals(s));
-  BOOST_CHECK_EXCEPTION(cloud.run(cloud.parameters().number_of_neighbors(0)), std::invalid_argument,
-                        names("number_of_neighbors"));
-  BOOST_CHECK_EXCEPTION(cloud.run(cloud.parameters().neighbor_radius(quiet_nan)), std::invalid_argument,
-                        names("neighbor_radius"));
+  const test_support::Numbered_points numbered(s);
+  BOOST_CHECK_EXCEPTION(
+      run_on_points(Hrbf{[](const auto& np) { return np.number_of_neighbors(0); }}, numbered),
+      std::invalid_argument, names("number_of_neighbors"));
+  BOOST_CHECK_EXCEPTION(
+      run_on_points(Hrbf{[&](const auto& np) { return np.neighbor_radius(quiet_nan); }}, numbered),
+      std::invalid_argument, names("neighbor_radius"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,17 +1,16 @@
 #include <boost/test/unit_test.hpp>
 
+#include "Numbered_points.h"
 #include "estimator_checks.h"
 
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
 
 #include <CGAL/Monge_via_jet_fitting.h>
-#include <CGAL/property_map.h>
 
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(jet_fitting)
@@ -46,52 +45,11 @@ struct Default_jet_fitting
   }
 };
 
-using Oriented_point = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-
-std::vector<Oriented_point> oriented_points(const Analytic_surface& s)
+template <typename Extend>
+Result run_on_points(const test_support::Numbered_points& points, const Extend& extend)
 {
-  std::vector<Oriented_point> points;
-  for(std::size_t i = 0; i < s.points.size(); ++i)
-  {
-    const auto &p = s.points[i], &n = s.exact[i].normal;
-    points.emplace_back(Kernel::Point_3(p[0], p[1], p[2]), Kernel::Vector_3(n[0], n[1], n[2]));
-  }
-  return points;
-}
-
-// a map into a vector that is looked up by the address of an element
-template <typename T>
-struct By_address
-{
-  using key_type = Oriented_point;
-  using value_type = T;
-  using reference = T&;
-  using category = boost::writable_property_map_tag;
-  const Oriented_point* first;
-  std::vector<T>* values;
-  friend void put(const By_address& map, const Oriented_point& key, const T& value)
-  {
-    (*map.values)[std::size_t(&key - map.first)] = value;
-  }
-};
-
-template <typename Np>
-Result run_on_points(const std::vector<Oriented_point>& points, const Np& np)
-{
-  Result r;
-  r.curvatures.resize(points.size());
-  r.mean.resize(points.size());
-  r.Gaussian.resize(points.size());
-  r.status.resize(points.size());
-  const Oriented_point* first = points.data();
-  r.failures = SC::jet_fitting_curvatures<CGAL::Sequential_tag>(
-      points, np.point_map(CGAL::First_of_pair_property_map<Oriented_point>())
-                  .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>())
-                  .principal_curvatures_and_directions_map(By_address<Curvatures>{first, &r.curvatures})
-                  .mean_curvature_map(By_address<double>{first, &r.mean})
-                  .Gaussian_curvature_map(By_address<double>{first, &r.Gaussian})
-                  .status_map(By_address<SC::Estimation_status>{first, &r.status}));
-  return r;
+  return points.estimates([&](const auto& numbers, const auto& np)
+                          { return SC::jet_fitting_curvatures<CGAL::Sequential_tag>(numbers, extend(np)); });
 }
 
 } // namespace
@@ -236,8 +194,8 @@ BOOST_AUTO_TEST_CASE(points)
   for(const Analytic_surface& s :
       {test_support::torus(1., .4, 48, 24, .2, 6), test_support::ellipsoid(1., .8, .6, 3, .2, 2)})
   {
-    const std::vector<Oriented_point> points = oriented_points(s);
-    const Result result = run_on_points(points, SC::parameters::number_of_neighbors(24));
+    const test_support::Numbered_points points(s);
+    const Result result = run_on_points(points, [](const auto& np) { return np.number_of_neighbors(24); });
     check_consistency(result);
     BOOST_TEST(result.failures == 0u);
     const Errors e = errors(s, result, 0.);
@@ -246,11 +204,12 @@ BOOST_AUTO_TEST_CASE(points)
     BOOST_TEST(e.largest < .095);
 
     // a ball
-    const Result in_ball = run_on_points(points, SC::parameters::neighbor_radius(3. * s.mean_edge_length()));
+    const Result in_ball =
+        run_on_points(points, [&](const auto& np) { return np.neighbor_radius(3. * s.mean_edge_length()); });
     BOOST_TEST(errors(s, in_ball, 0.).largest < .15);
 
     // the degree is never lowered
-    const Result few = run_on_points(points, SC::parameters::number_of_neighbors(13));
+    const Result few = run_on_points(points, [](const auto& np) { return np.number_of_neighbors(13); });
     BOOST_TEST(few.failures == points.size());
     for(const SC::Estimation_status status : few.status)
       BOOST_TEST((status == SC::Estimation_status::FEW_NEIGHBOURS));
@@ -260,16 +219,16 @@ BOOST_AUTO_TEST_CASE(points)
 BOOST_AUTO_TEST_CASE(points_that_determine_no_surface)
 {
   const Kernel::Vector_3 up(0, 0, 1);
-  std::vector<Oriented_point> line, spot;
+  test_support::Numbered_points line, spot;
   for(int i = 0; i < 30; ++i)
   {
-    line.emplace_back(Kernel::Point_3(.1 * i, .2 * i, 0.), up);
-    spot.emplace_back(Kernel::Point_3(1., 2., 3.), up);
+    line.push_back(Kernel::Point_3(.1 * i, .2 * i, 0.), up);
+    spot.push_back(Kernel::Point_3(1., 2., 3.), up);
   }
-  for(const SC::Estimation_status status :
-      run_on_points(line, SC::parameters::number_of_neighbors(20)).status)
+  const auto nearest = [](const auto& np) { return np.number_of_neighbors(20); };
+  for(const SC::Estimation_status status : run_on_points(line, nearest).status)
     BOOST_TEST((status == SC::Estimation_status::DEGENERATE));
-  BOOST_TEST(run_on_points(spot, SC::parameters::number_of_neighbors(20)).failures == 30u);
+  BOOST_TEST(run_on_points(spot, nearest).failures == 30u);
 }
 
 // rows of long triangles that bend by more than they are wide: their best plane isn't that of the tangents

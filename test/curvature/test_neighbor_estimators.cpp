@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "Numbered_points.h"
 #include "estimator_checks.h"
 
 #include <Shape_characteristics/curvature/batagelo_wu_curvatures.h>
@@ -7,7 +8,7 @@
 #include <Shape_characteristics/curvature/moving_least_squares_curvatures.h>
 #include <Shape_characteristics/curvature/razdan_bae_curvatures.h>
 
-#include <CGAL/property_map.h>
+#include <CGAL/number_type_config.h>
 
 #include "plain_algebra.h"
 
@@ -19,10 +20,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <numeric>
 #include <random>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(neighbor_estimators)
@@ -524,56 +523,39 @@ BOOST_AUTO_TEST_CASE(callback)
 BOOST_AUTO_TEST_CASE(points)
 {
   const Analytic_surface s = test_support::torus(1., .4, 48, 24, .2, 6);
-  const double unit = 1. / largest_curvature(s);
   for(const Neighbor_estimator& estimator : all_methods)
   {
-    std::vector<std::size_t> items(s.points.size());
-    std::iota(items.begin(), items.end(), std::size_t(0));
-    std::vector<Kernel::Point_3> positions;
-    std::vector<Kernel::Vector_3> normals;
-    for(std::size_t i = 0; i < items.size(); ++i)
+    test_support::Numbered_points points(s);
+    const auto result_of = [&](unsigned int k)
     {
-      positions.emplace_back(s.points[i][0], s.points[i][1], s.points[i][2]);
-      const auto& n = s.exact[i].normal;
-      normals.emplace_back(n[0], n[1], n[2]);
-    }
-    std::vector<Curvatures> curvatures(items.size());
-    std::vector<SC::Estimation_status> status(items.size());
-    const auto failures_of = [&](unsigned int k)
-    {
-      return Neighbor_estimator::call<CGAL::Sequential_tag>(
-          estimator.method, items,
-          SC::parameters::point_map(CGAL::make_property_map(positions))
-              .normal_map(CGAL::make_property_map(normals))
-              .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
-              .status_map(CGAL::make_property_map(status))
-              .number_of_neighbors(k));
+      const Result result = points.estimates(
+          [&](const auto& numbers, const auto& np)
+          {
+            return Neighbor_estimator::call<CGAL::Sequential_tag>(estimator.method, numbers,
+                                                                  np.number_of_neighbors(k));
+          });
+      check_consistency(result);
+      return result;
     };
-    BOOST_TEST(failures_of(estimator.method == Method::MOVING_LEAST_SQUARES ? 36 : 18) == 0u);
-    double mean = 0., largest = 0.;
-    for(std::size_t i = 0; i < items.size(); ++i)
-    {
-      const double a = unit * std::abs(curvatures[i].min_curvature - s.exact[i].k_min),
-                   b = unit * std::abs(curvatures[i].max_curvature - s.exact[i].k_max);
-      mean += .5 * (a + b) / double(items.size());
-      largest = (std::max)({largest, a, b});
-    }
-    BOOST_TEST_MESSAGE("  points: mean " << mean << ", largest " << largest);
-    BOOST_TEST(mean < (estimator.method == Method::MOVING_LEAST_SQUARES ? .2 : .1));
-    BOOST_TEST(largest < (estimator.method == Method::MOVING_LEAST_SQUARES ? 1. : .25));
+    const Result result = result_of(estimator.method == Method::MOVING_LEAST_SQUARES ? 36 : 18);
+    BOOST_TEST(result.failures == 0u);
+    const Errors e = errors(s, result, 0.);
+    BOOST_TEST_MESSAGE("  points: mean " << e.mean << ", largest " << e.largest << ", direction "
+                                         << e.direction);
+    BOOST_TEST(e.mean < (estimator.method == Method::MOVING_LEAST_SQUARES ? .2 : .1));
+    BOOST_TEST(e.largest < (estimator.method == Method::MOVING_LEAST_SQUARES ? 1. : .25));
 
-    BOOST_TEST(failures_of(2) == items.size());
-    for(const SC::Estimation_status e : status)
-      BOOST_TEST((e == SC::Estimation_status::FEW_NEIGHBOURS));
-    BOOST_CHECK_THROW(failures_of(0), std::invalid_argument);
+    for(const SC::Estimation_status status : result_of(2).status)
+      BOOST_TEST((status == SC::Estimation_status::FEW_NEIGHBOURS));
+    BOOST_CHECK_THROW(result_of(0), std::invalid_argument);
     for(const double step : {.1, 0.}) // points on a line, or in one place, determine no surface
     {
-      for(std::size_t i = 0; i < items.size(); ++i)
+      for(std::size_t i = 0; i < points.size(); ++i)
       {
-        positions[i] = Kernel::Point_3(step * double(i), 2. * step * double(i), 3.);
-        normals[i] = Kernel::Vector_3(0, 0, 1);
+        points.points[i] = Kernel::Point_3(step * double(i), 2. * step * double(i), 3.);
+        points.normals[i] = Kernel::Vector_3(0, 0, 1);
       }
-      BOOST_TEST(failures_of(18) == items.size());
+      BOOST_TEST(result_of(18).failures == points.size());
     }
   }
 }
@@ -611,27 +593,19 @@ BOOST_AUTO_TEST_CASE(points_in_one_row)
 BOOST_AUTO_TEST_CASE(normals_that_cancel)
 {
   const std::size_t rows = 7, columns = 32;
-  std::vector<std::size_t> items(rows * columns);
-  std::iota(items.begin(), items.end(), std::size_t(0));
-  std::vector<Kernel::Point_3> positions;
-  std::vector<Kernel::Vector_3> normals;
-  for(std::size_t i = 0; i < items.size(); ++i)
+  test_support::Numbered_points points;
+  for(std::size_t i = 0; i < rows * columns; ++i)
   {
-    const double angle = 2. * 3.14159265358979323846 * double(i % columns) / double(columns);
-    positions.emplace_back(std::cos(angle), std::sin(angle), 50. * double(i / columns));
-    normals.emplace_back(std::cos(angle), std::sin(angle), 0.);
+    const double angle = 2. * CGAL_PI * double(i % columns) / double(columns);
+    points.push_back(Kernel::Point_3(std::cos(angle), std::sin(angle), 50. * double(i / columns)),
+                     Kernel::Vector_3(std::cos(angle), std::sin(angle), 0.));
   }
-  std::vector<Curvatures> curvatures(items.size());
-  std::vector<SC::Estimation_status> status(items.size());
-  const std::size_t failures = SC::moving_least_squares_curvatures(
-      items, SC::parameters::point_map(CGAL::make_property_map(positions))
-                 .normal_map(CGAL::make_property_map(normals))
-                 .principal_curvatures_and_directions_map(CGAL::make_property_map(curvatures))
-                 .status_map(CGAL::make_property_map(status))
-                 .neighbor_radius(75.));
-  BOOST_TEST(failures == items.size());
-  for(std::size_t i = 0; i < items.size(); ++i)
-    BOOST_TEST((status[i] == SC::Estimation_status::DEGENERATE && std::isnan(curvatures[i].max_curvature)));
+  const Result result =
+      points.estimates([](const auto& numbers, const auto& np)
+                       { return SC::moving_least_squares_curvatures(numbers, np.neighbor_radius(75.)); });
+  check_consistency(result);
+  for(const SC::Estimation_status status : result.status)
+    BOOST_TEST((status == SC::Estimation_status::DEGENERATE));
 }
 
 BOOST_AUTO_TEST_SUITE_END()
