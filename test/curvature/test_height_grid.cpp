@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
+#include "says.h"
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -24,7 +25,6 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -370,27 +370,23 @@ BOOST_AUTO_TEST_CASE(callback)
 
 BOOST_AUTO_TEST_CASE(bad_inputs)
 {
-  const auto names = [](const std::string& word)
-  {
-    return [word](const std::invalid_argument& e)
-    { return std::string(e.what()).find(word) != std::string::npos; };
-  };
+  using test_support::says;
   const std::vector<double> heights(12, 0.);
   BOOST_CHECK_EXCEPTION(SC::height_grid_curvatures(heights, 5, 1., 1.), std::invalid_argument,
-                        names("5 columns"));
+                        says("5 columns"));
   BOOST_CHECK_EXCEPTION(SC::height_grid_curvatures(heights, 0, 1., 1.), std::invalid_argument,
-                        names("0 columns"));
+                        says("0 columns"));
   for(const double s : {0., -1., nan_value, std::numeric_limits<double>::infinity()})
   {
     BOOST_CHECK_EXCEPTION(SC::height_grid_curvatures(heights, 4, s, 1.), std::invalid_argument,
-                          names("spacing"));
+                          says("spacing"));
     BOOST_CHECK_EXCEPTION(SC::height_grid_curvatures(heights, 4, 1., s), std::invalid_argument,
-                          names("spacing"));
+                          says("spacing"));
   }
   BOOST_CHECK_EXCEPTION(SC::height_grid_curvatures(4, 0, heights, 4, 1., 1.), std::invalid_argument,
-                        names("column 4"));
+                        says("column 4"));
   BOOST_CHECK_EXCEPTION(SC::height_grid_curvatures(0, 3, heights, 4, 1., 1.), std::invalid_argument,
-                        names("row 3"));
+                        says("row 3"));
 
   for(const Curvatures& c : run(Grid{heights, 4}).curvatures)
     BOOST_TEST((c.min_curvature == 0. && c.max_curvature == 0.));

@@ -2,6 +2,7 @@
 
 #include "Numbered_points.h"
 #include "hrbf_estimator.h"
+#include "says.h"
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 
@@ -14,7 +15,6 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(hrbf_meshes)
@@ -306,45 +306,41 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   const Analytic_surface s = test_support::sphere(1., 1);
   const Surface_mesh mesh = surface_mesh_of(s);
   const double quiet_nan = std::numeric_limits<double>::quiet_NaN();
-  const auto names = [](const char* parameter)
-  {
-    return [parameter](const std::invalid_argument& e)
-    { return std::string(e.what()).find(parameter) != std::string::npos; };
-  };
+  using test_support::says;
   const auto vertex = *vertices(mesh).begin();
   using namespace SC::parameters;
   BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, radial_basis_function(SC::Polyharmonic<4>())),
-                        std::invalid_argument, names("radial_basis_function"));
+                        std::invalid_argument, says("radial_basis_function"));
   BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(vertex, mesh, radial_basis_function(SC::Polyharmonic<4>())),
-                        std::invalid_argument, names("radial_basis_function"));
+                        std::invalid_argument, says("radial_basis_function"));
   for(const int rings : {0, -1})
   {
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, number_of_rings(rings)), std::invalid_argument,
-                          names("number_of_rings"));
+                          says("number_of_rings"));
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(vertex, mesh, number_of_rings(rings)), std::invalid_argument,
-                          names("number_of_rings"));
+                          says("number_of_rings"));
   }
   for(const double radius : {0., -1., quiet_nan, std::numeric_limits<double>::infinity()})
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, neighbor_radius(radius)), std::invalid_argument,
-                          names("neighbor_radius"));
+                          says("neighbor_radius"));
   for(const double level : {-1., quiet_nan, std::numeric_limits<double>::infinity()})
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, noise_level(level)), std::invalid_argument,
-                          names("noise_level"));
+                          says("noise_level"));
   for(const double distance : {0., -1., 2., quiet_nan})
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, sampling_distance(distance)), std::invalid_argument,
-                          names("sampling_distance"));
+                          says("sampling_distance"));
 
   std::vector<Point_3> points;
   for(const auto& p : s.points)
     points.emplace_back(p[0], p[1], p[2]);
-  BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(points), std::invalid_argument, names("normal_map"));
+  BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(points), std::invalid_argument, says("normal_map"));
   const test_support::Numbered_points numbered(s);
   BOOST_CHECK_EXCEPTION(
       run_on_points(Hrbf{[](const auto& np) { return np.number_of_neighbors(0); }}, numbered),
-      std::invalid_argument, names("number_of_neighbors"));
+      std::invalid_argument, says("number_of_neighbors"));
   BOOST_CHECK_EXCEPTION(
       run_on_points(Hrbf{[&](const auto& np) { return np.neighbor_radius(quiet_nan); }}, numbered),
-      std::invalid_argument, names("neighbor_radius"));
+      std::invalid_argument, says("neighbor_radius"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

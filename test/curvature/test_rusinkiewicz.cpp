@@ -6,9 +6,6 @@
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 BOOST_AUTO_TEST_SUITE(rusinkiewicz)
 
@@ -118,16 +115,7 @@ BOOST_AUTO_TEST_CASE(callback)
 
 BOOST_AUTO_TEST_CASE(needs_triangles)
 {
-  Surface_mesh mesh;
-  std::vector<Surface_mesh::Vertex_index> v;
-  for(const Kernel::Point_3& p : {Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
-                                  Kernel::Point_3(1, 1, 0), Kernel::Point_3(0, 1, 0)})
-    v.push_back(mesh.add_vertex(p));
-  mesh.add_face(v);
-  BOOST_CHECK_EXCEPTION(SC::rusinkiewicz_curvatures(mesh), std::invalid_argument,
-                        [](const std::invalid_argument& e)
-                        { return std::string(e.what()).find("triangle") != std::string::npos; });
-  BOOST_CHECK_THROW(SC::rusinkiewicz_curvatures(v[0], mesh), std::invalid_argument);
+  check_needs_triangles(Rusinkiewicz(), SC::parameters::default_values());
 }
 
 // a triangle without area, or with a point that is not finite, changes nothing for its neighbors' other triangles

@@ -2,6 +2,7 @@
 
 #include "oriented_cloud.h"
 #include "plain_pair_features.h"
+#include "says.h"
 
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
@@ -19,7 +20,6 @@
 #include <numeric>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -461,11 +461,10 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
   BOOST_TEST((rows.values.row(1) == of_mesh.values.row(7)));
   BOOST_TEST((rows.status[1] == S::BORDER));
 
-  const auto says_descriptor_samples = [](const std::invalid_argument& e)
-  { return std::string(e.what()).find("Shape_characteristics: descriptor_samples") == 0; };
   for(const int wrong : {-1, n * n})
     BOOST_CHECK_EXCEPTION(SC::fpfh_descriptors(mesh, np::descriptor_samples(std::vector<int>{0, wrong})),
-                          std::invalid_argument, says_descriptor_samples);
+                          std::invalid_argument,
+                          test_support::says("Shape_characteristics: descriptor_samples"));
   BOOST_CHECK_THROW(SC::fpfh_descriptors(mesh, np::neighbor_radius(-1.)), std::invalid_argument);
   BOOST_CHECK_THROW(
       SC::fpfh_descriptors(points, np::point_map(CGAL::First_of_pair_property_map<Oriented_point>())),

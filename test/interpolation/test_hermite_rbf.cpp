@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "says.h"
+
 #include <Shape_characteristics/curvature/implicit_surface_curvatures.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Gaussian.h>
@@ -24,7 +26,6 @@
 #include <list>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <tuple>
 #include <vector>
 
@@ -567,26 +568,22 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   const Points points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   const Vectors normals(3, Vector_3(0, 0, 1));
 
-  const auto names = [](const char* parameter)
-  {
-    return [parameter](const std::invalid_argument& e)
-    { return std::string(e.what()).find(parameter) != std::string::npos; };
-  };
-  BOOST_CHECK_EXCEPTION(Interpolant(Points(), Vectors()), std::invalid_argument, names("`points`"));
+  using test_support::says;
+  BOOST_CHECK_EXCEPTION(Interpolant(Points(), Vectors()), std::invalid_argument, says("`points`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(2, normals[0])), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(4, normals[0])), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(3, Vector_3(0, 0, 0))), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(3, Vector_3(0, quiet_nan, 0))), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   BOOST_CHECK_EXCEPTION(Interpolant(Points{{0, infinity, 0}}, Vectors{normals[0]}), std::invalid_argument,
-                        names("`points`"));
+                        says("`points`"));
   BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic<4>()),
-                        std::invalid_argument, names("`basis_function`"));
+                        std::invalid_argument, says("`basis_function`"));
   BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic_logarithmic<3>()),
-                        std::invalid_argument, names("`basis_function`"));
+                        std::invalid_argument, says("`basis_function`"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

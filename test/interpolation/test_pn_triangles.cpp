@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "says.h"
+
 #include <Shape_characteristics/curvature/parametric_surface_curvatures.h>
 #include <Shape_characteristics/interpolation/Pn_triangle.h>
 #include <Shape_characteristics/interpolation/Png1_triangle.h>
@@ -16,7 +18,6 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(pn_triangles)
@@ -480,36 +481,32 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   const double nan = std::nan(""), infinity = std::numeric_limits<double>::infinity();
   const std::array<Point, 3> points = {Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0)};
   const std::array<Vector, 3> normals = {Vector(0, 0, 1), Vector(0, 0, 1), Vector(0, 0, 1)};
-  const auto names = [](const std::string& word)
-  {
-    return [word](const std::invalid_argument& e)
-    { return std::string(e.what()).find(word) != std::string::npos; };
-  };
+  using test_support::says;
   for(const double x : {nan, infinity})
   {
     auto p = points;
     p[1] = Point(0, x, 0);
-    BOOST_CHECK_EXCEPTION(Pn(p, normals), std::invalid_argument, names("coordinate"));
-    BOOST_CHECK_EXCEPTION(Png1(p, normals), std::invalid_argument, names("coordinate"));
+    BOOST_CHECK_EXCEPTION(Pn(p, normals), std::invalid_argument, says("coordinate"));
+    BOOST_CHECK_EXCEPTION(Png1(p, normals), std::invalid_argument, says("coordinate"));
     auto n = normals;
     n[2] = Vector(x, 0, 0);
-    BOOST_CHECK_EXCEPTION(Pn(points, n), std::invalid_argument, names("normal"));
-    BOOST_CHECK_EXCEPTION(Png1(points, n), std::invalid_argument, names("normal"));
+    BOOST_CHECK_EXCEPTION(Pn(points, n), std::invalid_argument, says("normal"));
+    BOOST_CHECK_EXCEPTION(Png1(points, n), std::invalid_argument, says("normal"));
   }
   auto n = normals;
   n[0] = Vector(0, 0, 0);
-  BOOST_CHECK_EXCEPTION(Pn(points, n), std::invalid_argument, names("normal is zero"));
+  BOOST_CHECK_EXCEPTION(Pn(points, n), std::invalid_argument, says("normal is zero"));
   auto p = points;
   p[1] = Point(1e308, 0, 0);
   p[0] = Point(-1e308, 0, 0);
-  BOOST_CHECK_EXCEPTION(Pn(p, normals), std::invalid_argument, names("longer"));
+  BOOST_CHECK_EXCEPTION(Pn(p, normals), std::invalid_argument, says("longer"));
   Png1 patch(points, normals);
   BOOST_CHECK_EXCEPTION(patch.set_neighbor(3, Point(1, 1, 0), normals[0]), std::invalid_argument,
-                        names("edge"));
+                        says("edge"));
   BOOST_CHECK_EXCEPTION(patch.set_neighbor(1, Point(1, nan, 0), normals[0]), std::invalid_argument,
-                        names("coordinate"));
+                        says("coordinate"));
   BOOST_CHECK_EXCEPTION(patch.set_neighbor(1, Point(1, 1, 0), Vector(0, 0, 0)), std::invalid_argument,
-                        names("normal"));
+                        says("normal"));
 
   // corners at one point, or on a line, make patches that are points or curves
   const Pn point({points[0], points[0], points[0]}, normals);

@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "says.h"
+
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Gaussian.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
@@ -400,33 +402,28 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   const Vectors normals(3, Vector_3(0, 0, 1));
   const SC::Polyharmonic<3> phi;
 
-  const auto names = [](const char* parameter)
-  {
-    return [parameter](const std::invalid_argument& e)
-    { return std::string(e.what()).find(parameter) != std::string::npos; };
-  };
-  BOOST_CHECK_EXCEPTION(Interpolant(Points(), Values()), std::invalid_argument, names("`points`"));
-  BOOST_CHECK_EXCEPTION(Interpolant(points, Values(2)), std::invalid_argument, names("`values`"));
-  BOOST_CHECK_EXCEPTION(Interpolant(points, Values(4)), std::invalid_argument, names("`values`"));
+  using test_support::says;
+  BOOST_CHECK_EXCEPTION(Interpolant(Points(), Values()), std::invalid_argument, says("`points`"));
+  BOOST_CHECK_EXCEPTION(Interpolant(points, Values(2)), std::invalid_argument, says("`values`"));
+  BOOST_CHECK_EXCEPTION(Interpolant(points, Values(4)), std::invalid_argument, says("`values`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Values{1, quiet_nan, 2}), std::invalid_argument,
-                        names("`values`"));
+                        says("`values`"));
   BOOST_CHECK_EXCEPTION(Interpolant(Points{{0, infinity, 0}}, Values{1}), std::invalid_argument,
-                        names("`points`"));
+                        says("`points`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(2, Vector_3(0, 0, 1))), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(3, Vector_3(0, 0, 0))), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   BOOST_CHECK_EXCEPTION(Interpolant(points, Vectors(3, Vector_3(0, quiet_nan, 0))), std::invalid_argument,
-                        names("`normals`"));
+                        says("`normals`"));
   for(double offset : {-1., quiet_nan, infinity})
-    BOOST_CHECK_EXCEPTION(Interpolant(points, normals, phi, offset), std::invalid_argument,
-                          names("`offset`"));
+    BOOST_CHECK_EXCEPTION(Interpolant(points, normals, phi, offset), std::invalid_argument, says("`offset`"));
   BOOST_CHECK_EXCEPTION(Interpolant(Points(3, Point_3(1, 1, 1)), normals), std::invalid_argument,
-                        names("`offset`"));
+                        says("`offset`"));
   BOOST_CHECK_EXCEPTION(SC::Rbf_interpolant(points, normals, SC::Polyharmonic<2>()), std::invalid_argument,
-                        names("`basis_function`"));
+                        says("`basis_function`"));
   BOOST_CHECK_EXCEPTION(SC::Rbf_interpolant(points, Values(3), SC::Polyharmonic_logarithmic<3>()),
-                        std::invalid_argument, names("`basis_function`"));
+                        std::invalid_argument, says("`basis_function`"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

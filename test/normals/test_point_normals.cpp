@@ -8,6 +8,7 @@
 #include <CGAL/pca_estimate_normals.h>
 
 #include "analytic_surfaces.h"
+#include "says.h"
 
 #include <algorithm>
 #include <cmath>
@@ -378,16 +379,12 @@ BOOST_AUTO_TEST_CASE(duplicates_and_coordinates_that_are_no_numbers)
 BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
 {
   Cloud cloud = cloud_of(test_support::sphere(1., 1).points);
-  const auto names = [](const char* parameter)
-  {
-    return [parameter](const std::invalid_argument& e)
-    { return std::string(e.what()).find(parameter) != std::string::npos; };
-  };
+  using test_support::says;
   BOOST_CHECK_EXCEPTION(run(cloud, parameters().number_of_neighbors(0)), std::invalid_argument,
-                        names("number_of_neighbors"));
+                        says("number_of_neighbors"));
   for(double radius : {0., -1., quiet_nan})
     BOOST_CHECK_EXCEPTION(run(cloud, parameters().neighbor_radius(radius)), std::invalid_argument,
-                          names("neighbor_radius"));
+                          says("neighbor_radius"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

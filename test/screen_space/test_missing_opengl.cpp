@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "says.h"
+
 #include <Shape_characteristics/screen_space/OpenGL/G_buffer_renderer.h>
 #include <Shape_characteristics/screen_space/OpenGL/Screen_space_curvature_pass.h>
 #include <Shape_characteristics/screen_space/OpenGL/Sphere_fit_mean_curvature_pass.h>
@@ -25,9 +27,7 @@ namespace {
 template <typename Function>
 void check_error(const Function& function, const std::string& words)
 {
-  BOOST_CHECK_EXCEPTION(function(), std::runtime_error,
-                        [&](const std::runtime_error& e)
-                        { return std::string(e.what()).find(words) != std::string::npos; });
+  BOOST_CHECK_EXCEPTION(function(), std::runtime_error, test_support::says(words));
 }
 
 void check_all(const std::string& words)
