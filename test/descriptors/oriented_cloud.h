@@ -8,6 +8,8 @@
 #include <CGAL/number_type_config.h>
 #include <CGAL/property_map.h>
 
+#include "oriented_point_maps.h"
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -47,6 +49,17 @@ inline Cloud wavy_cloud(std::size_t count, unsigned int seed)
     cloud.points.emplace_back(x, y, z);
     cloud.normals.push_back(Vector3d(-z_x, -z_y, 1.).normalized());
   }
+  return cloud;
+}
+
+// normals that are not those of the surface: features of pairs then have all values
+inline Cloud rough_cloud(std::size_t count, unsigned int seed, double roughness)
+{
+  Cloud cloud = wavy_cloud(count, seed);
+  std::mt19937 generator(seed + 1);
+  const auto uniform = [&] { return 2. * double(generator()) / 4294967296. - 1.; };
+  for(Vector3d& n : cloud.normals)
+    n = (n + roughness * Vector3d(uniform(), uniform(), uniform())).normalized();
   return cloud;
 }
 
@@ -123,6 +136,18 @@ inline SC::Point_set_samples samples_of(const Cloud& cloud, const SC::Neighborho
   SC::Point_set_samples samples(cloud.points, CGAL::Identity_property_map<Vector3d>(), neighborhood);
   samples.set_normals(cloud.normals);
   return samples;
+}
+
+// for `test_support::oriented_point_maps()`
+inline std::vector<test_support::Oriented_point> pairs_of(const Cloud& cloud)
+{
+  std::vector<test_support::Oriented_point> pairs;
+  for(std::size_t i = 0; i < cloud.points.size(); ++i)
+  {
+    const Vector3d &p = cloud.points[i], &n = cloud.normals[i];
+    pairs.push_back({{p.x(), p.y(), p.z()}, {n.x(), n.y(), n.z()}});
+  }
+  return pairs;
 }
 
 // the largest difference of two matrices, which must have the same statuses and have values at the same places

@@ -48,17 +48,6 @@ SC::Descriptor_matrix fpfh(const Cloud& cloud)
   return fpfh(cloud, SC::Neighborhood::ball(radius));
 }
 
-// normals that are not those of the surface: features then have all values
-Cloud rough_cloud(std::size_t count, unsigned int seed, double roughness)
-{
-  Cloud cloud = wavy_cloud(count, seed);
-  std::mt19937 generator(seed + 1);
-  const auto uniform = [&] { return 2. * double(generator()) / 4294967296. - 1.; };
-  for(Vector3d& n : cloud.normals)
-    n = (n + roughness * Vector3d(uniform(), uniform(), uniform())).normalized();
-  return cloud;
-}
-
 plain::Histogram simple_histograms(const Cloud& cloud,
                                    std::size_t i,
                                    const std::vector<std::size_t>& neighbors,
@@ -415,7 +404,7 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  using Oriented_point = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+  using test_support::Oriented_point;
   namespace np = SC::parameters;
 
   // a height field over a grid, its normals given
@@ -440,8 +429,7 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
       mesh.add_face(v(i, j), v(i + 1, j), v(i + 1, j + 1));
       mesh.add_face(v(i, j), v(i + 1, j + 1), v(i, j + 1));
     }
-  const auto maps = np::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
-                        .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
+  const auto maps = test_support::oriented_point_maps();
   const SC::Descriptor_matrix of_mesh =
       SC::fpfh_descriptors(mesh, np::vertex_normal_map(normals).neighbor_radius(.3));
   const SC::Descriptor_matrix of_points = SC::fpfh_descriptors(points, maps.neighbor_radius(.3));

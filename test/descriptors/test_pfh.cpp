@@ -10,15 +10,12 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/generators.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(pfh)
@@ -41,17 +38,6 @@ SC::Descriptor_matrix pfh(const Cloud& cloud, const SC::Neighborhood& neighborho
 SC::Descriptor_matrix pfh(const Cloud& cloud)
 {
   return pfh(cloud, SC::Neighborhood::ball(radius));
-}
-
-// normals that are not those of the surface: features then have all values
-Cloud rough_cloud(std::size_t count, unsigned int seed, double roughness)
-{
-  Cloud cloud = wavy_cloud(count, seed);
-  std::mt19937 generator(seed + 1);
-  const auto uniform = [&] { return 2. * double(generator()) / 4294967296. - 1.; };
-  for(Vector3d& n : cloud.normals)
-    n = (n + roughness * Vector3d(uniform(), uniform(), uniform())).normalized();
-  return cloud;
 }
 
 plain::Histogram plain_pfh(const Cloud& cloud, std::size_t i, double r)
@@ -170,18 +156,11 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
 {
   using Kernel = CGAL::Simple_cartesian<double>;
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  using Oriented_point = std::pair<Kernel::Point_3, Kernel::Vector_3>;
   namespace np = SC::parameters;
 
   const Cloud cloud = rough_cloud(500, 3, .3);
-  std::vector<Oriented_point> points;
-  for(std::size_t i = 0; i < cloud.points.size(); ++i)
-  {
-    const Vector3d &p = cloud.points[i], &n = cloud.normals[i];
-    points.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
-  }
-  const auto maps = np::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
-                        .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
+  const std::vector<test_support::Oriented_point> points = pairs_of(cloud);
+  const auto maps = test_support::oriented_point_maps();
   const SC::Descriptor_matrix m =
       SC::pfh_descriptors<CGAL::Sequential_tag>(points, maps.neighbor_radius(radius));
   BOOST_TEST(same_bits(m, pfh(cloud))); // which runs in parallel

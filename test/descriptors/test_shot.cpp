@@ -8,7 +8,6 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/property_map.h>
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
@@ -262,15 +261,8 @@ BOOST_AUTO_TEST_CASE(functions_and_threads)
 {
   // of points
   const Cloud cloud = wavy_cloud(600, 5);
-  std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3> > points;
-  for(std::size_t i = 0; i < cloud.points.size(); ++i)
-  {
-    const Vector3d &p = cloud.points[i], &n = cloud.normals[i];
-    points.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
-  }
-  using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
-  const auto np = SC::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
-                      .normal_map(CGAL::Second_of_pair_property_map<Item>());
+  const std::vector<test_support::Oriented_point> points = pairs_of(cloud);
+  const auto np = test_support::oriented_point_maps();
   for(const SC::Shot_variant variant : variants)
   {
     const SC::Descriptor_matrix expected = shot_of(cloud, ball, variant);
@@ -289,7 +281,7 @@ BOOST_AUTO_TEST_CASE(functions_and_threads)
   const std::vector<int> too_large = {600};
   BOOST_CHECK_THROW(SC::shot_descriptors(points, np.descriptor_samples(too_large)), std::invalid_argument);
   BOOST_CHECK_THROW(SC::shot_descriptors(std::vector<Kernel::Point_3>()), std::invalid_argument);
-  BOOST_TEST(SC::shot_descriptors(std::vector<Item>(), np).values.rows() == 0);
+  BOOST_TEST(SC::shot_descriptors(std::vector<test_support::Oriented_point>(), np).values.rows() == 0);
 
   // of meshes
   using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;

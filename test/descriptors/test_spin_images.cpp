@@ -9,7 +9,6 @@
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include "analytic_surfaces.h"
@@ -20,7 +19,6 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(spin_images)
@@ -279,18 +277,11 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
 {
   using height_field_test::Kernel;
   using height_field_test::Mesh;
-  using Oriented_point = std::pair<Kernel::Point_3, Kernel::Vector_3>;
   namespace np = SC::parameters;
 
   const Cloud cloud = wavy_cloud(500, 3);
-  std::vector<Oriented_point> points;
-  for(std::size_t i = 0; i < cloud.points.size(); ++i)
-  {
-    const Vector3d &p = cloud.points[i], &n = cloud.normals[i];
-    points.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
-  }
-  const auto maps = np::point_map(CGAL::First_of_pair_property_map<Oriented_point>())
-                        .normal_map(CGAL::Second_of_pair_property_map<Oriented_point>());
+  const std::vector<test_support::Oriented_point> points = pairs_of(cloud);
+  const auto maps = test_support::oriented_point_maps();
   const SC::Descriptor_matrix m =
       SC::spin_image_descriptors<CGAL::Sequential_tag>(points, maps.neighbor_radius(radius));
   BOOST_TEST(same_bits(m, spin_images(cloud))); // which runs in parallel

@@ -34,24 +34,10 @@ using SC::Estimation_status;
 using SC::Flux_method;
 using SC::Signal_scaling;
 using SC::Signed_volume_method;
-using Item = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+using test_support::Oriented_point;
 using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
 
 namespace {
-
-const auto all_points = SC::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
-                            .normal_map(CGAL::Second_of_pair_property_map<Item>());
-
-std::vector<Item> items_of(const Cloud& cloud)
-{
-  std::vector<Item> items;
-  for(std::size_t i = 0; i < cloud.points.size(); ++i)
-  {
-    const Vector3d &p = cloud.points[i], &n = cloud.normals[i];
-    items.emplace_back(Kernel::Point_3(p.x(), p.y(), p.z()), Kernel::Vector_3(n.x(), n.y(), n.z()));
-  }
-  return items;
-}
 
 // by the sample's number, some measure of no meaning
 std::vector<double> some_values(std::size_t size, unsigned int seed)
@@ -344,8 +330,8 @@ BOOST_AUTO_TEST_CASE(mirror_symmetric_surface)
 BOOST_AUTO_TEST_CASE(functions_of_points)
 {
   const Cloud cloud = wavy_cloud(400, 12);
-  const std::vector<Item> items = items_of(cloud);
-  const auto np = all_points.neighbor_radius(radius);
+  const std::vector<Oriented_point> items = pairs_of(cloud);
+  const auto np = test_support::oriented_point_maps().neighbor_radius(radius);
   const SC::Point_set_samples s = samples_of(cloud, ball);
   BOOST_TEST(same_bits(SC::symmetry_fluxes(items, np), compute<Flux>(s)));
   BOOST_TEST(same_bits(SC::symmetry_fluxes(items, np.signal_scaling(Signal_scaling::AS_PRINTED)),
@@ -370,7 +356,7 @@ BOOST_AUTO_TEST_CASE(functions_of_points)
   const SC::Descriptor_matrix part = SC::chiralities(items, np.descriptor_samples(some));
   BOOST_TEST(part.values.rows() == 2);
   BOOST_TEST(part.values(1, 0) == chirality.values(399, 0));
-  const SC::Descriptor_matrix of_mirrored = SC::chiralities(items_of(mirrored(cloud)), np);
+  const SC::Descriptor_matrix of_mirrored = SC::chiralities(pairs_of(mirrored(cloud)), np);
   BOOST_TEST(((of_mirrored.values + chirality.values).array().abs() < 1e-2f).count() > 390);
 
   // given ones
@@ -442,10 +428,10 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   const Vector3d up(0., 0., 1.);
   const auto all = [](const Cloud& cloud)
   {
-    const std::vector<Item> items = items_of(cloud);
-    return std::vector<SC::Descriptor_matrix>{SC::symmetry_fluxes(items, all_points),
-                                              SC::signed_volumes(items, all_points),
-                                              SC::chiralities(items, all_points)};
+    const std::vector<Oriented_point> items = pairs_of(cloud);
+    const auto np = test_support::oriented_point_maps();
+    return std::vector<SC::Descriptor_matrix>{SC::symmetry_fluxes(items, np), SC::signed_volumes(items, np),
+                                              SC::chiralities(items, np)};
   };
   Cloud line, spot;
   for(int i = 0; i < 30; ++i)

@@ -8,6 +8,7 @@
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
 #include "check_names.h"
+#include "oriented_point_maps.h"
 
 #include "../../benchmark/support/Random.h"
 
@@ -196,15 +197,13 @@ BOOST_AUTO_TEST_CASE(a_point_set)
 {
   const Mesh mesh = mesh_of(moved(potato(true)));
   const SC::Face_graph_samples samples = SC::sampled_surface(mesh, SC::Neighborhood::rings(1));
-  using Item = std::pair<Point, Kernel::Vector_3>;
-  std::vector<Item> points;
+  std::vector<test_support::Oriented_point> points;
   for(std::size_t i = 0; i < samples.size(); ++i)
   {
     const Eigen::Vector3d &p = samples.point(i), &n = samples.normal(i);
     points.emplace_back(Point(p[0], p[1], p[2]), Kernel::Vector_3(n[0], n[1], n[2]));
   }
-  const auto np = SC::parameters::point_map(CGAL::First_of_pair_property_map<Item>())
-                      .normal_map(CGAL::Second_of_pair_property_map<Item>());
+  const auto np = test_support::oriented_point_maps();
   const Detection found = SC::detect_symmetry_plane(points, np);
   BOOST_TEST(int(found.verdict) == int(Symmetry_verdict::ONE));
   BOOST_TEST(angle(found) < .3);

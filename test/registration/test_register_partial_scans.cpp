@@ -1,16 +1,15 @@
 #include <boost/test/unit_test.hpp>
 
-#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/assess_registration.h>
 #include <Shape_characteristics/registration/register_partial_scans.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/number_type_config.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
 
 #include "check_names.h"
+#include "oriented_point_maps.h"
 
 #include <Eigen/Geometry>
 
@@ -33,7 +32,7 @@ namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Point = Kernel::Point_3;
 using Vector = Kernel::Vector_3;
-using Scan = std::vector<std::pair<Point, Vector>>;
+using Scan = std::vector<test_support::Oriented_point>;
 using Result = SC::Registration_result<Kernel>;
 using Eigen::Vector3d;
 using SC::Registration_obstacle;
@@ -41,16 +40,11 @@ using SC::Registration_verdict;
 
 namespace {
 
-auto maps()
-{
-  using Pair = Scan::value_type;
-  return SC::parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
-      .normal_map(CGAL::Second_of_pair_property_map<Pair>());
-}
+const auto maps = test_support::oriented_point_maps();
 
 Result registered(const Scan& source, const Scan& target)
 {
-  return SC::register_partial_scans<CGAL::Sequential_tag>(source, target, maps(), maps());
+  return SC::register_partial_scans<CGAL::Sequential_tag>(source, target, maps, maps);
 }
 
 double random_number(std::mt19937& generator) // the library's distributions differ
@@ -323,7 +317,7 @@ BOOST_AUTO_TEST_CASE(starts_and_seeds)
     for(const int seed : {0, 7, 123456})
     {
       const Result result =
-          SC::register_partial_scans<CGAL::Sequential_tag>(s, target, maps().random_seed(seed), maps());
+          SC::register_partial_scans<CGAL::Sequential_tag>(s, target, maps.random_seed(seed), maps);
       BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
       BOOST_TEST(error(s, result.transformation, right * start.inverse()) < 1e-6);
     }
@@ -405,7 +399,7 @@ BOOST_AUTO_TEST_CASE(more_points_than_are_used)
 {
   const Scan target = left_part(1), source = moved(right_part(2), some_motion());
   const Result result = SC::register_partial_scans<CGAL::Sequential_tag>(
-      source, target, maps().maximum_number_of_samples(900).number_of_neighbors(40), maps());
+      source, target, maps.maximum_number_of_samples(900).number_of_neighbors(40), maps);
   BOOST_TEST(int(result.verdict) == int(Registration_verdict::SUCCESS));
   BOOST_TEST(error(source, result.transformation, some_motion().inverse()) < .05);
 
@@ -423,7 +417,7 @@ BOOST_AUTO_TEST_CASE(order_of_the_points)
   const auto result_of = [&]
   {
     return SC::register_partial_scans<CGAL::Sequential_tag>(source, target,
-                                                            maps().maximum_number_of_samples(900), maps());
+                                                            maps.maximum_number_of_samples(900), maps);
   };
   const Result expected = result_of();
   BOOST_TEST(int(expected.verdict) == int(Registration_verdict::SUCCESS));
@@ -558,11 +552,11 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
 {
   const Scan scan = left_part(1);
   BOOST_CHECK_THROW(
-      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps().number_of_neighbors(7), maps()),
+      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps.number_of_neighbors(7), maps),
       std::invalid_argument);
-  BOOST_CHECK_THROW(SC::register_partial_scans<CGAL::Sequential_tag>(
-                        scan, scan, maps().maximum_number_of_samples(99), maps()),
-                    std::invalid_argument);
+  BOOST_CHECK_THROW(
+      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps.maximum_number_of_samples(99), maps),
+      std::invalid_argument);
   std::vector<double> advancement;
   const std::function<bool(double)> callback = [&](const double done)
   {
@@ -570,7 +564,7 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
     return false;
   };
   const Result result =
-      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps().callback(callback), maps());
+      SC::register_partial_scans<CGAL::Sequential_tag>(scan, scan, maps.callback(callback), maps);
   BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
   BOOST_TEST(advancement.size() == 1u);

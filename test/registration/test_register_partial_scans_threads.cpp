@@ -1,22 +1,21 @@
 #include <boost/test/unit_test.hpp>
 
-#include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/registration/register_partial_scans.h>
 
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/property_map.h>
 #include <CGAL/tags.h>
+
+#include "oriented_point_maps.h"
 
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(register_partial_scans_threads)
 
 namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
-using Scan = std::vector<std::pair<Kernel::Point_3, Kernel::Vector_3>>;
+using Scan = std::vector<test_support::Oriented_point>;
 
 namespace {
 
@@ -43,9 +42,7 @@ Scan hills(double x, double shift)
 template <typename ConcurrencyTag>
 SC::Registration_result<Kernel> registered(const Scan& source, const Scan& target)
 {
-  using Pair = Scan::value_type;
-  const auto maps = SC::parameters::point_map(CGAL::First_of_pair_property_map<Pair>())
-                        .normal_map(CGAL::Second_of_pair_property_map<Pair>());
+  const auto maps = test_support::oriented_point_maps();
   return SC::register_partial_scans<ConcurrencyTag>(source, target, maps, maps);
 }
 
