@@ -270,7 +270,6 @@ BOOST_AUTO_TEST_CASE(convergence)
   };
   check_fine("default", by_default, 1e-4, 5e-6);
   check_fine("default, shared", shared_by_default, 1.5e-4, 8e-6);
-  check_fine("3 rings", three_rings, 1.2e-5, 8e-7);
 }
 
 namespace {
