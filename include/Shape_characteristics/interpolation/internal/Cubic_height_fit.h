@@ -24,13 +24,8 @@ public:
   [[gnu::always_inline]] void add(const V& weight, const V& x, const V& y, const V& height)
   {
     V xs[s_moments], ys[s_moments];
-    set_lanes(xs[0], 1.);
-    set_lanes(ys[0], 1.);
-    for(int k = 1; k < s_moments; ++k)
-    {
-      xs[k] = xs[k - 1] * x;
-      ys[k] = ys[k - 1] * y;
-    }
+    set_powers(x, xs);
+    set_powers(y, ys);
     for(int a = 0; a < s_moments; ++a)
     {
       const V weighted = weight * xs[a];

@@ -53,6 +53,15 @@ template <typename V>
   v = V{} + value;
 }
 
+// 1, x, x^2, ...
+template <typename V, int n>
+[[gnu::always_inline]] inline void set_powers(const V& x, V (&powers)[n])
+{
+  set_lanes(powers[0], 1.);
+  for(int k = 1; k < n; ++k)
+    powers[k] = powers[k - 1] * x;
+}
+
 template <typename To, typename From>
 [[gnu::always_inline]] inline void copy_bits(To& to, const From& from)
 {
