@@ -3,7 +3,8 @@
 # Shape_characteristics_development    the library, our warnings and sanitizers, TBB where it is found
 # Shape_characteristics_OpenMesh       OpenMesh, where it is found
 # Shape_characteristics_precompiled    precompiled/: headers that most programs include, and templates that most instantiate
-# shape_characteristics_add_program()  one program from one source file
+# shape_characteristics_includes()       whether a source file includes a header
+# shape_characteristics_add_program()    one program from one source file
 # shape_characteristics_use_precompiled()  a program or library that is compiled and linked with what is precompiled
 # shape_characteristics_do_not_sanitize()  a source file of other libraries' code
 # shape_characteristics_public_headers()   the headers that a user includes
@@ -130,7 +131,7 @@ function(shape_characteristics_use_precompiled target)
   target_link_libraries(${target} PRIVATE Shape_characteristics_precompiled)
 endfunction()
 
-# Adds the program `target` from `source`, put below the build folder where its source is below the project's.
+# Adds the program `target` from `source`, linked with the libraries that follow.
 function(shape_characteristics_add_program target source)
   add_executable(${target} ${source})
   target_link_libraries(${target} PRIVATE Shape_characteristics_development ${ARGN})

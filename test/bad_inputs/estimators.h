@@ -1,6 +1,8 @@
 #ifndef SHAPE_CHARACTERISTICS_TEST_BAD_INPUTS_ESTIMATORS_H
 #define SHAPE_CHARACTERISTICS_TEST_BAD_INPUTS_ESTIMATORS_H
 
+#include "raise_to.h"
+
 #include <Shape_characteristics/Estimation_status.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -243,8 +245,8 @@ inline double change_by_scaling(const Results& original, const Results& scaled, 
   {
     const Estimate &a = original.samples[i], &b = scaled.samples[i];
     if(SC::is_estimated(a.status) && SC::is_estimated(b.status))
-      change = (std::max)(
-          {change, std::abs(b.k_min() * scale - a.k_min()), std::abs(b.k_max() * scale - a.k_max())});
+      test_support::raise_to(change, std::abs(b.k_min() * scale - a.k_min()),
+                             std::abs(b.k_max() * scale - a.k_max()));
   }
   return change / largest(original);
 }

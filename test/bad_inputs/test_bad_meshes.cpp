@@ -7,6 +7,7 @@
 #include "bad_meshes.h"
 #include "build_mesh.h"
 #include "estimators.h"
+#include "raise_to.h"
 
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -559,7 +560,7 @@ BOOST_AUTO_TEST_CASE(sphere_is_umbilic)
         for(const Estimate& e : estimator.all(mesh).samples)
         {
           BOOST_TEST(SC::is_estimated(e.status));
-          worst = std::max({worst, std::abs(e.k_min() * radius - 1.), std::abs(e.k_max() * radius - 1.)});
+          test_support::raise_to(worst, std::abs(e.k_min() * radius - 1.), std::abs(e.k_max() * radius - 1.));
         }
         BOOST_TEST_MESSAGE("sphere, " << estimator.name << ": " << worst);
         BOOST_TEST(worst <= estimator.accuracy);
@@ -582,7 +583,7 @@ BOOST_AUTO_TEST_CASE(cylinder_has_a_direction)
           {
             const Estimate& e = results.samples[i];
             BOOST_TEST((e.status == S::ESTIMATED));
-            worst = std::max({worst, std::abs(e.k_min()), std::abs(e.k_max() - 1.)});
+            test_support::raise_to(worst, std::abs(e.k_min()), std::abs(e.k_max() - 1.));
             if(estimator.accuracy < 1.)
               BOOST_TEST(std::abs(e.values[6]) > 1. - 2. * estimator.accuracy, "vertex " << i);
           }

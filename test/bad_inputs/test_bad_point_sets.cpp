@@ -5,6 +5,7 @@
 
 #include "analytic_surfaces.h"
 #include "estimators.h"
+#include "raise_to.h"
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/task_arena.h>
@@ -287,7 +288,7 @@ BOOST_AUTO_TEST_CASE(sphere_is_umbilic)
         for(const Estimate& e : estimator.all(points).samples)
         {
           BOOST_TEST((e.status == S::ESTIMATED));
-          worst = std::max({worst, std::abs(2.5 * e.k_min() - 1.), std::abs(2.5 * e.k_max() - 1.)});
+          test_support::raise_to(worst, std::abs(2.5 * e.k_min() - 1.), std::abs(2.5 * e.k_max() - 1.));
         }
         BOOST_TEST_MESSAGE("sphere, " << estimator.name << ": " << worst);
         BOOST_TEST(worst <= estimator.accuracy);

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "dual_contouring.h"
+#include "raise_to.h"
 #include "tessellations.h"
 
 #include <CGAL/number_type_config.h>
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(exact_crossings_lie_on_the_surface_and_linear_ones_on_the_c
   BOOST_TEST((exact.triangles == linear.triangles));
   double farthest = 0.;
   for(std::size_t i = 0; i < linear.points.size(); ++i)
-    farthest = std::max(farthest, std::abs(shifted(linear.points[i])));
+    test_support::raise_to(farthest, std::abs(shifted(linear.points[i])));
   BOOST_TEST(farthest > 1e-4);
   BOOST_TEST(farthest < .1);
 }
@@ -330,7 +331,7 @@ BOOST_AUTO_TEST_CASE(noise_has_the_deviation_asked_for)
         const double d = noisy.points[i][c] - clean.points[i][c];
         sum += d;
         square += d * d;
-        greatest = std::max(greatest, std::abs(d));
+        test_support::raise_to(greatest, std::abs(d));
       }
     const double n = 3. * double(clean.points.size());
     BOOST_TEST(std::abs(std::sqrt(square / n) - .1 * edge) < .02 * .1 * edge);

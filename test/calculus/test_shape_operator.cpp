@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "raise_to.h"
+
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -40,9 +42,11 @@ double relative_error(double computed, const Real& expected)
 // directions are unit, orthogonal to each other and to the normal
 double frame_error(const internal::Shape_operator_eigen& e, const Vector3d& normal)
 {
-  return std::max({std::abs(e.min_direction.norm() - 1), std::abs(e.max_direction.norm() - 1),
-                   std::abs(e.min_direction.dot(e.max_direction)), std::abs(e.min_direction.dot(normal)),
-                   std::abs(e.max_direction.dot(normal))});
+  double largest = 0.;
+  test_support::raise_to(largest, std::abs(e.min_direction.norm() - 1), std::abs(e.max_direction.norm() - 1),
+                         std::abs(e.min_direction.dot(e.max_direction)),
+                         std::abs(e.min_direction.dot(normal)), std::abs(e.max_direction.dot(normal)));
+  return largest;
 }
 
 Vector3d random_direction(std::mt19937& random)

@@ -11,6 +11,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "raise_to.h"
 
 #include <algorithm>
 #include <cmath>
@@ -64,7 +65,7 @@ double difference(const Result& a, const Result& b)
   double largest = 0.;
   for(std::size_t i = 0; i < a.values.size(); ++i)
     if(SC::is_estimated(a.status[i]))
-      largest = std::max(largest, std::abs(a.values[i] - b.values[i]));
+      test_support::raise_to(largest, std::abs(a.values[i] - b.values[i]));
   return largest;
 }
 
@@ -200,7 +201,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_plain_loops)
     double worst = 0.;
     for(std::size_t i = 0; i < 600; ++i)
       if(SC::is_estimated(r.status[i]))
-        worst = std::max(worst, double(std::abs(Real(r.values[i]) - expected[i])));
+        test_support::raise_to(worst, double(std::abs(Real(r.values[i]) - expected[i])));
     BOOST_TEST(worst < 1e-12);
     BOOST_TEST(r.failures < 10u);
   }
@@ -250,7 +251,7 @@ BOOST_AUTO_TEST_CASE(bump)
     const double d = std::sqrt(CGAL::squared_distance(mesh.point(v), center));
     double& largest = d < .1 ? inside : outside;
     if(d < .1 || d > .4)
-      largest = std::max(largest, r.values[v]);
+      test_support::raise_to(largest, r.values[v]);
   }
   BOOST_TEST(inside > 2.);
   BOOST_TEST(outside < .2 * inside);
@@ -289,7 +290,7 @@ BOOST_AUTO_TEST_CASE(regular_torus_of_other_sizes)
     for(auto& p : scaled.points)
       for(std::size_t k = 0; k < 3; ++k)
         p[k] *= scale;
-    largest_change = std::max(
+    test_support::raise_to(
         largest_change,
         difference(of_mesh(test_support::build_mesh<Mesh>(scaled), np::saliency_scale(.05 * scale)), r));
   }

@@ -1,6 +1,7 @@
 #include "estimator_checks.h"
 
 #include "build_mesh.h"
+#include "raise_to.h"
 
 #include <CGAL/boost/graph/generators.h>
 #ifdef CGAL_LINKED_WITH_TBB
@@ -84,7 +85,7 @@ double largest_curvature(const Analytic_surface& s)
   double largest = 0.;
   for(const Exact_vertex& e : s.exact)
     if(!e.singular)
-      largest = (std::max)({largest, std::abs(e.k_min), std::abs(e.k_max)});
+      test_support::raise_to(largest, std::abs(e.k_min), std::abs(e.k_max));
   return largest > 0. ? largest : 1.;
 }
 
@@ -104,10 +105,10 @@ Errors errors(const Analytic_surface& s, const Result& result, double edges)
     const double a = std::abs(c.min_curvature - e.k_min), b = std::abs(c.max_curvature - e.k_max);
     BOOST_TEST_REQUIRE((std::isfinite(a) && std::isfinite(b)));
     errors.mean += .5 * unit * (a + b);
-    errors.largest = (std::max)({errors.largest, unit * a, unit * b});
+    test_support::raise_to(errors.largest, unit * a, unit * b);
     ++count;
     const double sine = eigen(c.max_direction).cross(eigen(e.d_max)).norm();
-    errors.direction = (std::max)(errors.direction, unit * (e.k_max - e.k_min) * sine);
+    test_support::raise_to(errors.direction, unit * (e.k_max - e.k_min) * sine);
   }
   BOOST_TEST_REQUIRE(count > 0u);
   errors.mean /= double(count);
@@ -209,9 +210,9 @@ double difference(const Analytic_surface& s,
       continue;
     const Curvatures &c = a.curvatures[i], &d = b.curvatures[i];
     const double sine = (rotation * eigen(c.max_direction)).cross(eigen(d.max_direction)).norm();
-    largest = (std::max)({largest, unit * std::abs(c.min_curvature - scale * d.min_curvature),
-                          unit * std::abs(c.max_curvature - scale * d.max_curvature),
-                          unit * std::abs(c.max_curvature - c.min_curvature) * sine});
+    test_support::raise_to(largest, unit * std::abs(c.min_curvature - scale * d.min_curvature),
+                           unit * std::abs(c.max_curvature - scale * d.max_curvature),
+                           unit * std::abs(c.max_curvature - c.min_curvature) * sine);
   }
   return largest;
 }

@@ -2,6 +2,7 @@
 
 #include "Numbered_points.h"
 #include "estimator_checks.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
@@ -354,8 +355,8 @@ On_quadrics on_quadrics(const Data& data)
     {
       const auto& exact = data.surface.exact[v];
       ++result.number;
-      result.error = (std::max)({result.error, std::abs(curvatures[v].min_curvature - exact.k_min),
-                                 std::abs(curvatures[v].max_curvature - exact.k_max)});
+      test_support::raise_to(result.error, std::abs(curvatures[v].min_curvature - exact.k_min),
+                             std::abs(curvatures[v].max_curvature - exact.k_max));
     }
   return result;
 }

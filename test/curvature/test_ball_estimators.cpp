@@ -10,6 +10,7 @@
 #include <CGAL/number_type_config.h>
 
 #include "plain_algebra.h"
+#include "raise_to.h"
 
 #include <algorithm>
 #include <array>
@@ -83,8 +84,8 @@ double plain_share(const std::vector<Eigen::Vector3d>& corners, const Eigen::Vec
   for(const Eigen::Vector3d& p : corners)
   {
     nearest = (std::min)(nearest, (p - center).norm());
-    farthest = (std::max)(farthest, (p - center).norm());
-    longest = (std::max)(longest, (p - corners[0]).norm());
+    test_support::raise_to(farthest, (p - center).norm());
+    test_support::raise_to(longest, (p - corners[0]).norm());
   }
   if(farthest < radius || nearest - 2. * longest > radius)
     return farthest < radius ? 1. : 0.;
@@ -199,13 +200,13 @@ BOOST_AUTO_TEST_CASE(equal_plain_implementations)
       for(std::size_t i = 0; i < s.points.size(); i += 41)
       {
         const Eigen::Vector2d k = plain_normal_cycle(s, i, radius);
-        cycle = (std::max)({cycle, unit * std::abs(of_cycle.curvatures[i].min_curvature - k[0]),
-                            unit * std::abs(of_cycle.curvatures[i].max_curvature - k[1])});
+        test_support::raise_to(cycle, unit * std::abs(of_cycle.curvatures[i].min_curvature - k[0]),
+                               unit * std::abs(of_cycle.curvatures[i].max_curvature - k[1]));
         if(!far[i])
           continue; // the plain one knows no border
         const Eigen::Vector2d h = plain_hildebrandt_polthier(s, i, radius);
-        shape = (std::max)({shape, unit * std::abs(of_operator.curvatures[i].min_curvature - h[0]),
-                            unit * std::abs(of_operator.curvatures[i].max_curvature - h[1])});
+        test_support::raise_to(shape, unit * std::abs(of_operator.curvatures[i].min_curvature - h[0]),
+                               unit * std::abs(of_operator.curvatures[i].max_curvature - h[1]));
       }
       BOOST_TEST_MESSAGE("  " << s.name << ", " << edges << " edges: " << cycle << ", " << shape);
       BOOST_TEST(cycle < .01); // of counting

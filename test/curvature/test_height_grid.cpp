@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
+#include "raise_to.h"
 #include "says.h"
 
 #include <Shape_characteristics/Estimation_status.h>
@@ -105,7 +106,10 @@ Curvatures exact(const Function& f, const Grid& g, std::size_t k)
 
 double error(const Curvatures& a, const Curvatures& b)
 {
-  return std::max(std::abs(a.min_curvature - b.min_curvature), std::abs(a.max_curvature - b.max_curvature));
+  double largest = 0.;
+  test_support::raise_to(largest, std::abs(a.min_curvature - b.min_curvature),
+                         std::abs(a.max_curvature - b.max_curvature));
+  return largest;
 }
 
 void check_consistency(const Grid& g, const Result& r)
@@ -193,7 +197,7 @@ BOOST_AUTO_TEST_CASE(convergence)
         BOOST_TEST(
             (r.status[k] == (is_inner(g, k) ? Estimation_status::ESTIMATED : Estimation_status::BORDER)));
         double& e = largest[is_inner(g, k) ? 0 : 1];
-        e = std::max(e, error(r.curvatures[k], exact(f, g, k)));
+        test_support::raise_to(e, error(r.curvatures[k], exact(f, g, k)));
       }
       return largest;
     };

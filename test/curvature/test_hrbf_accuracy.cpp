@@ -3,6 +3,7 @@
 #include "../../benchmark/support/tessellations.h"
 #include "../../benchmark/support/test_functions.h"
 #include "hrbf_estimator.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
@@ -287,10 +288,11 @@ std::pair<double, double> errors_at_poles(const Estimator& estimator, std::size_
     return std::abs(result.curvatures[i].min_curvature - s.exact[i].k_min) +
            std::abs(result.curvatures[i].max_curvature - s.exact[i].k_max);
   };
-  double beside = 0.;
+  double at_poles = 0., beside = 0.;
+  test_support::raise_to(at_poles, error(top), error(bottom));
   for(std::size_t j = 0; j < n; ++j)
-    beside = std::max({beside, error(j), error(last + j)});
-  return {std::max(error(top), error(bottom)), beside};
+    test_support::raise_to(beside, error(j), error(last + j));
+  return {at_poles, beside};
 }
 
 } // namespace
@@ -491,7 +493,7 @@ BOOST_AUTO_TEST_CASE(parts_of_the_noise)
       const double of_level = error_of(Hrbf{
           [&](const auto& np) { return np.noise_level(level).number_of_passes(3u).number_of_rings(3u); }});
       least = (std::min)(least, of_level);
-      largest = (std::max)(largest, of_level);
+      test_support::raise_to(largest, of_level);
     }
     BOOST_TEST_MESSAGE(s.name << ", noise 0.03, 3 rings: mean error " << error
                               << ", of levels that are given " << least << " to " << largest);

@@ -2,6 +2,7 @@
 
 #include "Numbered_points.h"
 #include "hrbf_estimator.h"
+#include "raise_to.h"
 #include "says.h"
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
@@ -10,7 +11,6 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -64,10 +64,9 @@ BOOST_AUTO_TEST_CASE(motion_and_scale)
       const Result original = run(estimator, s, normals);
       const auto compare = [&](double scale, const Eigen::Matrix3d& r, const Eigen::Vector3d& shift)
       {
-        const double d =
-            difference(s, original, run(estimator, transformed(s, scale, r, shift), normals), scale, r);
-        if(!(d <= largest) && !std::isnan(largest))
-          largest = d;
+        test_support::raise_to(
+            largest,
+            difference(s, original, run(estimator, transformed(s, scale, r, shift), normals), scale, r));
       };
       compare(1., rotation, {3., -5., 2.});
       for(const double scale : {1e-6, 1e6, 1e-100, 1e100})
@@ -103,10 +102,10 @@ BOOST_AUTO_TEST_CASE(scale_of_open_point_sets)
           const Result original = run(s);
           double largest = 0.;
           for(const double scale : {1e-6, 1e6, 3.})
-            largest = std::max(largest, difference(s, original,
-                                                   run(transformed(s, scale, Eigen::Matrix3d::Identity(),
-                                                                   Eigen::Vector3d::Zero())),
-                                                   scale, Eigen::Matrix3d::Identity()));
+            test_support::raise_to(largest, difference(s, original,
+                                                       run(transformed(s, scale, Eigen::Matrix3d::Identity(),
+                                                                       Eigen::Vector3d::Zero())),
+                                                       scale, Eigen::Matrix3d::Identity()));
           BOOST_TEST_MESSAGE(s.name << ", " << s.points.size() << " points, " << neighbors << " neighbors"
                                     << (are_exact ? ", exact" : "") << ": changed by " << largest);
           BOOST_TEST(largest < 1e-9);

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/curvature/integral_invariant_curvatures.h>
 
@@ -140,8 +141,8 @@ BOOST_AUTO_TEST_CASE(box_in_ball)
       high[k] = std::max(a, b);
     }
     const auto exact = SC::internal::box_in_ball(low, high), plain = plain_box(low, high, 250);
-    largest = std::max({largest, std::abs(exact.volume - plain.volume), (exact.first - plain.first).norm(),
-                        (exact.second - plain.second).norm()});
+    test_support::raise_to(largest, std::abs(exact.volume - plain.volume), (exact.first - plain.first).norm(),
+                           (exact.second - plain.second).norm());
   }
   BOOST_TEST_MESSAGE("  largest difference " << largest);
   BOOST_TEST(largest < 2e-4); // of the rule
@@ -172,8 +173,8 @@ BOOST_AUTO_TEST_CASE(equals_plain_implementation)
       for(std::size_t i = 0; i < s.points.size(); i += 67)
       {
         const Eigen::Vector2d k = plain_curvatures(s, i, radius);
-        largest = std::max({largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
-                            unit * std::abs(result.curvatures[i].max_curvature - k[1])});
+        test_support::raise_to(largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
+                               unit * std::abs(result.curvatures[i].max_curvature - k[1]));
       }
       BOOST_TEST_MESSAGE("  " << s.name << ", " << edges << " edges: " << largest);
       BOOST_TEST(largest < .005); // of the rule

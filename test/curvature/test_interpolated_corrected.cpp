@@ -4,6 +4,7 @@
 
 #ifdef SHAPE_CHARACTERISTICS_HAS_INTERPOLATED_CORRECTED_CURVATURES
 #include "estimator_checks.h"
+#include "raise_to.h"
 #include "says.h"
 
 #include <CGAL/Polygon_mesh_processing/interpolated_corrected_curvatures.h>
@@ -76,11 +77,11 @@ BOOST_AUTO_TEST_CASE(equals_a_direct_call)
       double measured = 0., eigenvalues = 0.;
       for(const auto v : mesh.vertices())
       {
-        measured = (std::max)({measured, unit * std::abs(result.mean[v] - mean[v]),
-                               unit * unit * std::abs(result.Gaussian[v] - Gaussian[v])});
-        eigenvalues = (std::max)(
-            {eigenvalues, unit * std::abs(result.curvatures[v].min_curvature - principal[v].min_curvature),
-             unit * std::abs(result.curvatures[v].max_curvature - principal[v].max_curvature)});
+        test_support::raise_to(measured, unit * std::abs(result.mean[v] - mean[v]),
+                               unit * unit * std::abs(result.Gaussian[v] - Gaussian[v]));
+        test_support::raise_to(
+            eigenvalues, unit * std::abs(result.curvatures[v].min_curvature - principal[v].min_curvature),
+            unit * std::abs(result.curvatures[v].max_curvature - principal[v].max_curvature));
       }
       BOOST_TEST_MESSAGE("  " << s.name << ", radius " << radius << ": mean and Gaussian " << measured
                               << ", principal " << eigenvalues);

@@ -11,6 +11,7 @@
 #include <CGAL/number_type_config.h>
 
 #include "plain_algebra.h"
+#include "raise_to.h"
 
 #include <Eigen/Dense>
 
@@ -283,15 +284,15 @@ BOOST_AUTO_TEST_CASE(equal_plain_implementations)
         if(s.exact[i].border)
           continue; // where rings are added
         BOOST_TEST_REQUIRE((SC::is_estimated(of_batagelo.status[i]) && SC::is_estimated(of_mls.status[i])));
-        batagelo =
-            (std::max)(batagelo, difference(of_batagelo, i,
-                                            plain_batagelo_wu(s, i, samples.neighbors(i, 3, workspace))));
+        test_support::raise_to(
+            batagelo,
+            difference(of_batagelo, i, plain_batagelo_wu(s, i, samples.neighbors(i, 3, workspace))));
         if(i % 25 == 0)
-          mls = (std::max)(
+          test_support::raise_to(
               mls,
               difference(of_mls, i, plain_moving_least_squares(s, i, samples.neighbors(i, 3, workspace))));
         if(rings == 2)
-          razdan = (std::max)(
+          test_support::raise_to(
               razdan, difference(of_razdan, i, plain_razdan_bae(s, i, samples.neighbors(i, 8, workspace))));
       }
       BOOST_TEST_MESSAGE("  " << s.name << ": " << batagelo << ", " << mls << ", " << razdan);
@@ -440,8 +441,8 @@ BOOST_AUTO_TEST_CASE(features)
     if(std::abs(std::abs(roof.points[i][0]) - .2) <
        .01) // two edges from the ridge, whose normals are in the middle
     {
-      largest = (std::max)(largest, robust.curvatures[i].max_curvature);
-      largest_of_plain = (std::max)(largest_of_plain, plain.curvatures[i].max_curvature);
+      test_support::raise_to(largest, robust.curvatures[i].max_curvature);
+      test_support::raise_to(largest_of_plain, plain.curvatures[i].max_curvature);
     }
   BOOST_TEST_MESSAGE("  beside a ridge: " << largest << ", by least squares " << largest_of_plain);
   BOOST_TEST(largest < .2 * largest_of_plain);

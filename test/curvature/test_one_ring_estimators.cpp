@@ -2,6 +2,7 @@
 
 #include "estimator_checks.h"
 #include "plain_triangle_tensors.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/curvature/meyer_curvatures.h>
 #include <Shape_characteristics/curvature/taubin_curvatures.h>
@@ -151,18 +152,18 @@ BOOST_AUTO_TEST_CASE(equal_plain_implementations)
       double largest = 0.;
       for(std::size_t i = 0; i < s.points.size(); i += 7)
       {
-        largest = (std::max)(largest, relative(s, of_theisel.mean[i] - plain_theisel(s, i)));
+        test_support::raise_to(largest, relative(s, of_theisel.mean[i] - plain_theisel(s, i)));
         const Eigen::Vector2d k = plain_taubin(s, i);
-        largest = (std::max)({largest, relative(s, of_taubin.curvatures[i].min_curvature - k[0]),
-                              relative(s, of_taubin.curvatures[i].max_curvature - k[1])});
+        test_support::raise_to(largest, relative(s, of_taubin.curvatures[i].min_curvature - k[0]),
+                               relative(s, of_taubin.curvatures[i].max_curvature - k[1]));
         if(s.exact[i].border)
         {
           BOOST_TEST((of_meyer.status[i] == SC::Estimation_status::BORDER));
           continue;
         }
         const Plain_meyer m = plain_meyer(s, i);
-        largest = (std::max)({largest, relative(s, of_meyer.mean[i] - m.H),
-                              relative(s, of_meyer.Gaussian[i] - m.K) / largest_curvature(s)});
+        test_support::raise_to(largest, relative(s, of_meyer.mean[i] - m.H),
+                               relative(s, of_meyer.Gaussian[i] - m.K) / largest_curvature(s));
         const double radius = std::sqrt((std::max)(m.H * m.H - m.K, 0.));
         const double width = of_meyer.curvatures[i].max_curvature - of_meyer.curvatures[i].min_curvature;
         // a square root of a difference

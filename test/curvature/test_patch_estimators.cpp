@@ -12,6 +12,7 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include "plain_algebra.h"
+#include "raise_to.h"
 
 #include <Eigen/Dense>
 
@@ -198,8 +199,8 @@ BOOST_AUTO_TEST_CASE(equal_plain_implementations)
         if(s.exact[i].singular)
           continue;
         const Eigen::Vector2d k = plain(i);
-        largest = std::max({largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
-                            unit * std::abs(result.curvatures[i].max_curvature - k[1])});
+        test_support::raise_to(largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
+                               unit * std::abs(result.curvatures[i].max_curvature - k[1]));
       }
       return largest;
     };

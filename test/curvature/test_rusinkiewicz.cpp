@@ -2,6 +2,7 @@
 
 #include "estimator_checks.h"
 #include "plain_triangle_tensors.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/curvature/rusinkiewicz_curvatures.h>
 
@@ -41,8 +42,8 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_implementation)
       for(std::size_t i = 0; i < s.points.size(); i += 7)
       {
         const Eigen::Vector2d k = plain::rusinkiewicz(s, i);
-        largest = (std::max)({largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
-                              unit * std::abs(result.curvatures[i].max_curvature - k[1])});
+        test_support::raise_to(largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
+                               unit * std::abs(result.curvatures[i].max_curvature - k[1]));
       }
       BOOST_TEST(largest < 1e-12, s.name << ": " << largest);
     }

@@ -2,6 +2,7 @@
 
 #include "estimator_checks.h"
 #include "plain_triangle_tensors.h"
+#include "raise_to.h"
 #include "says.h"
 
 #include <Shape_characteristics/curvature/tangent_space_curvatures.h>
@@ -66,8 +67,8 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_implementation)
         {
           const Eigen::Vector2d k =
               plain::tangent_space(s, i, variant.number_of_edges, variant.weighting == Face_weighting::AREA);
-          largest = (std::max)({largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
-                                unit * std::abs(result.curvatures[i].max_curvature - k[1])});
+          test_support::raise_to(largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),
+                                 unit * std::abs(result.curvatures[i].max_curvature - k[1]));
         }
         BOOST_TEST(largest < 1e-12, s.name << ", " << variant.number_of_edges << " edges: " << largest);
       }

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "estimator_checks.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/curvature/Voxel_octree.h>
 #include <Shape_characteristics/curvature/voxel_curvatures.h>
@@ -17,7 +18,6 @@
 #include <tbb/global_control.h>
 #endif
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -258,7 +258,7 @@ BOOST_AUTO_TEST_CASE(points_of_voxels)
   BOOST_TEST(estimate(octree, items, .3, Normals_of_items::OF_THE_VOXELS) == 0u);
   double largest = 0.;
   for(const Item& item : items)
-    largest = std::max(largest, std::abs(std::get<3>(item) - 1.));
+    test_support::raise_to(largest, std::abs(std::get<3>(item) - 1.));
   BOOST_TEST_MESSAGE("  largest error " << largest);
   BOOST_TEST(largest < .1);
   // the default radius is 6 voxels

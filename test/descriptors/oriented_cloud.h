@@ -9,6 +9,7 @@
 #include <CGAL/property_map.h>
 
 #include "oriented_point_maps.h"
+#include "raise_to.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -162,7 +163,7 @@ inline double difference(const SC::Descriptor_matrix& a, const SC::Descriptor_ma
     if(std::isnan(x) != std::isnan(y))
       return std::numeric_limits<double>::infinity();
     if(!std::isnan(x))
-      largest = (std::max)(largest, std::abs(double(x) - double(y)));
+      test_support::raise_to(largest, std::abs(double(x) - double(y)));
   }
   return largest;
 }

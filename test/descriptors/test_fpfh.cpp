@@ -2,6 +2,7 @@
 
 #include "oriented_cloud.h"
 #include "plain_pair_features.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/descriptors/Fpfh_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
@@ -116,8 +117,8 @@ double error(const SC::Descriptor_matrix& m, std::size_t i, const plain::Histogr
 {
   Real largest = 0;
   for(std::size_t k = 0; k < expected.values.size(); ++k)
-    largest =
-        (std::max)(largest, std::abs(Real(m.values(Eigen::Index(i), Eigen::Index(k))) - expected.values[k]));
+    test_support::raise_to(largest,
+                           std::abs(Real(m.values(Eigen::Index(i), Eigen::Index(k))) - expected.values[k]));
   return double((std::max)(Real(0), largest - expected.uncertainty));
 }
 
@@ -133,7 +134,7 @@ void check_against_reference(const Cloud& cloud, Fpfh_variant variant)
     {
       ++estimated;
       certain += expected[i].uncertainty == 0;
-      worst = (std::max)(worst, error(m, i, expected[i]));
+      test_support::raise_to(worst, error(m, i, expected[i]));
     }
   BOOST_TEST(worst < 1e-4);
   BOOST_TEST(estimated > cloud.points.size() * 9 / 10);
@@ -207,7 +208,7 @@ BOOST_AUTO_TEST_CASE(mirrored_surface)
       SC::Fpfh_descriptor<SC::Point_set_samples>::mirrored(m.values.row(i).data(),
                                                            expected.values.row(i).data());
     if(SC::is_estimated(m.status[std::size_t(i)]))
-      odd = (std::max)(odd, double((m.values.row(i) - expected.values.row(i)).cwiseAbs().maxCoeff()));
+      test_support::raise_to(odd, double((m.values.row(i) - expected.values.row(i)).cwiseAbs().maxCoeff()));
   }
   BOOST_TEST(same_bits(of_mirrored, expected));
   BOOST_TEST(odd > 10.);
@@ -216,7 +217,7 @@ BOOST_AUTO_TEST_CASE(mirrored_surface)
     double change = 0.;
     for(Eigen::Index i = 0; i < m.values.rows(); ++i)
       if(SC::is_estimated(m.status[std::size_t(i)]))
-        change = (std::max)(change, std::abs(double(of_mirrored.values(i, k)) - double(m.values(i, k))));
+        test_support::raise_to(change, std::abs(double(of_mirrored.values(i, k)) - double(m.values(i, k))));
     BOOST_TEST((change > 0.) == (k >= 11 && k < 22 && k != 16)); // 16 is the middle
   }
 }
@@ -251,7 +252,7 @@ BOOST_AUTO_TEST_CASE(motion_and_unit)
       double worst = 0.;
       for(std::size_t i = 0; i < expected.size(); ++i)
         if(SC::is_estimated(m.status[i]))
-          worst = (std::max)(worst, error(of_moved, i, expected[i]));
+          test_support::raise_to(worst, error(of_moved, i, expected[i]));
       BOOST_TEST(worst < 1e-4);
     }
 }

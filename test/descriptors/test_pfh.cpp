@@ -2,6 +2,7 @@
 
 #include "oriented_cloud.h"
 #include "plain_pair_features.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/descriptors/Pfh_descriptor.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
@@ -12,7 +13,6 @@
 #include <CGAL/boost/graph/generators.h>
 #include <CGAL/tags.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -71,7 +71,7 @@ double error(const SC::Descriptor_matrix& m, const std::vector<plain::Histogram>
   for(std::size_t i = 0; i < expected.size(); ++i)
     if(SC::is_estimated(m.status[i]))
       for(std::size_t k = 0; k < 125; ++k)
-        worst = (std::max)(
+        test_support::raise_to(
             worst, std::abs(Real(m.values(Eigen::Index(i), Eigen::Index(k))) - expected[i].values[k]) -
                        expected[i].uncertainty);
   return double(worst);

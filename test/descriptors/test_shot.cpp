@@ -12,6 +12,7 @@
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
 #include "plain_algebra.h"
+#include "raise_to.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -168,8 +169,8 @@ BOOST_AUTO_TEST_CASE(equals_a_plain_one)
       BOOST_TEST(std::abs(shot.values.row(Eigen::Index(i)).norm() - 1.f) < 1e-5f);
       const std::vector<double> plain = plain_shot(cloud, i, .3, variant);
       for(std::size_t k = 0; k < 352; ++k)
-        largest =
-            std::max(largest, std::abs(plain[k] - double(shot.values(Eigen::Index(i), Eigen::Index(k)))));
+        test_support::raise_to(largest,
+                               std::abs(plain[k] - double(shot.values(Eigen::Index(i), Eigen::Index(k)))));
     }
     BOOST_TEST(largest < 1e-6);
   }

@@ -13,6 +13,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "raise_to.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,8 @@ double difference_of_row(const SC::Descriptor_matrix& m, std::size_t row, const 
 {
   Real largest = 0;
   for(std::size_t k = 0; k < expected.size(); ++k)
-    largest = (std::max)(largest, std::abs(Real(m.values(Eigen::Index(row), Eigen::Index(k))) - expected[k]));
+    test_support::raise_to(largest,
+                           std::abs(Real(m.values(Eigen::Index(row), Eigen::Index(k))) - expected[k]));
   return double(largest);
 }
 
@@ -126,7 +128,7 @@ BOOST_AUTO_TEST_CASE(agrees_with_plain_loops)
       double worst = 0.;
       for(std::size_t i = 0; i < cloud.points.size(); ++i)
         if(SC::is_estimated(m.status[i]))
-          worst = (std::max)(
+          test_support::raise_to(
               worst, difference_of_row(m, i, plain_spin_image(cloud, i, radius, width, support_angle)));
       BOOST_TEST(worst < 1e-5);
     }
@@ -160,7 +162,7 @@ BOOST_AUTO_TEST_CASE(of_a_sphere)
         SC::compute_descriptors(SC::Spin_image_descriptor<SC::Point_set_samples>(samples), some);
     double worst = 0.;
     for(std::size_t k = 0; k < some.size(); ++k)
-      worst = (std::max)(worst, difference_of_row(m, k, expected));
+      test_support::raise_to(worst, difference_of_row(m, k, expected));
     errors.push_back(worst);
   }
   BOOST_TEST(errors[0] < 3.); // of a hundred, with some 190 neighbors

@@ -7,6 +7,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/head_features/Surface_handle.h>
 
@@ -72,7 +73,7 @@ inline double largest_difference(const Points& a, const Points& b)
 {
   double largest = a.size() == b.size() ? 0. : std::numeric_limits<double>::infinity();
   for(std::size_t i = 0; i < (std::min)(a.size(), b.size()); ++i)
-    largest = (std::max)(largest, length(a[i] - b[i]));
+    test_support::raise_to(largest, length(a[i] - b[i]));
   return largest;
 }
 

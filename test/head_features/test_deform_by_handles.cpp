@@ -2,6 +2,7 @@
 
 #include "bad_meshes.h"
 #include "handles_on_surfaces.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/head_features/deform_by_handles.h>
 
@@ -57,7 +58,7 @@ BOOST_AUTO_TEST_CASE(one_point_on_a_plane_has_a_Gaussian_neighborhood)
     {
       const double s = length(mesh.point(v) - mesh.point(source));
       const Vector_3 expected = (s <= 6. * radius ? gaussian(s, radius) : 0.) * d;
-      largest = std::max(largest, length(after[v] - mesh.point(v) - expected));
+      test_support::raise_to(largest, length(after[v] - mesh.point(v) - expected));
     }
     BOOST_TEST(largest < 1e-12);
     BOOST_TEST(length(after[source] - mesh.point(source) - d) < 1e-15);
@@ -78,7 +79,7 @@ BOOST_AUTO_TEST_CASE(a_point_may_lie_inside_of_a_face)
   double largest = 0.;
   for(const Vertex v : mesh.vertices())
     if(const double s = length(mesh.point(v) - p); s < 6. * radius)
-      largest = std::max(largest, std::abs(after[v].z() - gaussian(s, radius)));
+      test_support::raise_to(largest, std::abs(after[v].z() - gaussian(s, radius)));
   BOOST_TEST(largest < 1e-12);
 }
 
@@ -290,7 +291,7 @@ BOOST_AUTO_TEST_CASE(units_and_poses_do_not_matter)
       const Points after = deformed(moved, handles(m, scale));
       double largest = 0.;
       for(const Vertex v : mesh.vertices())
-        largest = std::max(largest, length(after[v] - m.transform(reference[v])) / scale);
+        test_support::raise_to(largest, length(after[v] - m.transform(reference[v])) / scale);
       BOOST_TEST(largest < (offset == 0. ? 1e-10 : 1e-6));
     }
 }

@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "handles_on_surfaces.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/head_features/deform_by_handles.h>
 #include <Shape_characteristics/head_features/head_expression_handles.h>
@@ -113,7 +114,7 @@ BOOST_AUTO_TEST_CASE(units_and_poses_do_not_matter)
       const Points expected = head.deformed(Head_expression(i)), found = other.deformed(Head_expression(i));
       double largest = 0.;
       for(std::size_t v = 0; v < expected.size(); ++v)
-        largest = std::max(largest, length(found[v] - motion.transform(expected[v])) / scale);
+        test_support::raise_to(largest, length(found[v] - motion.transform(expected[v])) / scale);
       BOOST_TEST(largest < 1e-9);
     }
   }

@@ -2,6 +2,7 @@
 
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
+#include "raise_to.h"
 
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/Shape_operator_eigen.h>
@@ -134,14 +135,14 @@ double difference(const std::vector<SC::Local_implicit_surface>& a,
   double unit = 1e-6, largest = 0.;
   for(const SC::Local_implicit_surface& local : a)
     if(SC::is_estimated(local.status))
-      unit = std::max(unit, shape_operator(local).norm());
+      test_support::raise_to(unit, shape_operator(local).norm());
   for(std::size_t i = 0; i < a.size(); ++i)
   {
     BOOST_TEST((a[i].status == b[i].status), "status of sample " << i);
     if(SC::is_estimated(a[i].status) && SC::is_estimated(b[i].status))
-      largest = std::max({largest, (shape_operator(a[i]) - shape_operator(b[i])).norm() / unit,
-                          (a[i].gradient.normalized() - b[i].gradient.normalized()).norm(),
-                          unit * (a[i].displacement - b[i].displacement).norm()});
+      test_support::raise_to(largest, (shape_operator(a[i]) - shape_operator(b[i])).norm() / unit,
+                             (a[i].gradient.normalized() - b[i].gradient.normalized()).norm(),
+                             unit * (a[i].displacement - b[i].displacement).norm());
   }
   return largest;
 }
@@ -176,15 +177,15 @@ void check_lanes()
     internal::inverse_sqrt(v, result);
     std::memcpy(y, &result, sizeof(V));
     for(int lane = 0; lane < n; ++lane)
-      of_root = std::max(of_root, std::abs(y[lane] * std::sqrt(x[lane]) - 1.));
+      test_support::raise_to(of_root, std::abs(y[lane] * std::sqrt(x[lane]) - 1.));
     for(double& number : x)
       number = -std::ldexp(std::uniform_real_distribution<double>(1., 2.)(random), int(random() % 60) - 50);
     std::memcpy(&v, x, sizeof(V));
     internal::exp_of_negative(v, result);
     std::memcpy(y, &result, sizeof(V));
     for(int lane = 0; lane < n; ++lane)
-      of_exponential =
-          std::max(of_exponential, x[lane] < -700. ? y[lane] : std::abs(y[lane] / std::exp(x[lane]) - 1.));
+      test_support::raise_to(of_exponential,
+                             x[lane] < -700. ? y[lane] : std::abs(y[lane] / std::exp(x[lane]) - 1.));
   }
   const double epsilon = std::numeric_limits<double>::epsilon();
   BOOST_TEST_MESSAGE(n << " lanes: relative error of 1 / sqrt(x) " << of_root / epsilon << ", of exp(x) "
@@ -207,7 +208,7 @@ double error_of_remainders(const RadialBasisFunction& phi, const Exact& exact)
     const long double origin = on_lanes.at_origin();
     for(const double error :
         {double(psi / (e[0] - origin + q / 2) - 1), double(P / (e[1] + 1) - 1), double(B / e[2] - 1)})
-      largest = std::max(largest, std::abs(error));
+      test_support::raise_to(largest, std::abs(error));
     if(q <= on_lanes.near)
     {
       double near_psi, near_P, near_B;
@@ -382,8 +383,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_plain_fits)
           const std::vector<std::size_t> widths =
               rings == 2u ? std::vector<std::size_t>{1, 2, 4, 8} : std::vector<std::size_t>{8};
           for(const std::size_t lanes : widths)
-            largest = std::max(largest,
-                               difference(expected, batched(samples, phi, exact, noise, false, lanes, 512)));
+            test_support::raise_to(
+                largest, difference(expected, batched(samples, phi, exact, noise, false, lanes, 512)));
           BOOST_TEST_MESSAGE(s.name << ", " << rings << " rings, " << name << ": " << largest);
           BOOST_TEST(largest < bound, name);
         };
@@ -410,8 +411,8 @@ BOOST_AUTO_TEST_CASE(agrees_with_fits_of_more_digits)
         const Eigen::Matrix3d expected =
             shape_operator(exact ? with_more_digits<true>(samples, i, found[i])
                                  : with_more_digits<false>(samples, i, found[i]));
-        unit = std::max(unit, expected.norm());
-        largest = std::max(largest, (shape_operator(found[i]) - expected).norm());
+        test_support::raise_to(unit, expected.norm());
+        test_support::raise_to(largest, (shape_operator(found[i]) - expected).norm());
       }
     BOOST_TEST_MESSAGE(n << " x " << n << ", " << rings << " rings" << (exact ? ", exact" : "") << ": "
                          << largest / unit);
@@ -515,14 +516,15 @@ BOOST_AUTO_TEST_CASE(curvatures_of_fits)
             ++side_by_side;
             const Eigen::Matrix3d expected = shape_operator(surface[i]);
             const double unit = std::max(expected.norm(), 1e-300);
-            largest = std::max({largest,
-                                (k.min_curvature * (k.min_direction * k.min_direction.transpose()) +
-                                 k.max_curvature * (k.max_direction * k.max_direction.transpose()) - expected)
-                                        .norm() /
-                                    unit,
-                                std::abs(k.min_direction.norm() - 1.), std::abs(k.max_direction.norm() - 1.),
-                                std::abs(k.min_direction.dot(k.max_direction)),
-                                std::abs(k.min_direction.dot(surface[i].gradient.normalized()))});
+            test_support::raise_to(
+                largest,
+                (k.min_curvature * (k.min_direction * k.min_direction.transpose()) +
+                 k.max_curvature * (k.max_direction * k.max_direction.transpose()) - expected)
+                        .norm() /
+                    unit,
+                std::abs(k.min_direction.norm() - 1.), std::abs(k.max_direction.norm() - 1.),
+                std::abs(k.min_direction.dot(k.max_direction)),
+                std::abs(k.min_direction.dot(surface[i].gradient.normalized())));
             BOOST_TEST(k.min_curvature <= k.max_curvature);
           }
           BOOST_TEST_MESSAGE(s.name << (exact ? ", exact, " : ", ") << lanes << " lanes: " << largest);

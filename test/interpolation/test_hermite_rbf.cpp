@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "raise_to.h"
 #include "says.h"
 
 #include <Shape_characteristics/curvature/implicit_surface_curvatures.h>
@@ -55,12 +56,6 @@ using Basis_functions = std::tuple<SC::Gaussian,
 
 const double quiet_nan = std::numeric_limits<double>::quiet_NaN();
 const double infinity = std::numeric_limits<double>::infinity();
-
-// NaN is the largest of all
-double larger(double a, double b)
-{
-  return std::isnan(a) || a > b ? a : b;
-}
 
 struct Cloud
 {
@@ -220,9 +215,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_and_normals_are_interpolated, Function, Bas
   double largest_value = 0, largest_gradient = 0;
   for(std::size_t i = 0; i < cloud.points.size(); ++i)
   {
-    largest_value = larger(largest_value, std::abs(f(cloud.points[i])));
+    test_support::raise_to(largest_value, std::abs(f(cloud.points[i])));
     const Vector_3 difference = f.gradient(cloud.points[i]) - cloud.normals[i];
-    largest_gradient = larger(largest_gradient, std::sqrt(difference.squared_length()));
+    test_support::raise_to(largest_gradient, std::sqrt(difference.squared_length()));
   }
   BOOST_TEST(largest_value < 1e-9);
   BOOST_TEST(largest_gradient < 1e-9);
@@ -240,11 +235,11 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_solution_anywhere)
     double error = 0, size = 0;
     for(const Point_3& p : random_points(40, 3, 5, center))
     {
-      error = larger(error, std::abs(double(f(p) - plain.value(p))));
-      size = larger(size, std::abs(double(plain.value(p))));
+      test_support::raise_to(error, std::abs(double(f(p) - plain.value(p))));
+      test_support::raise_to(size, std::abs(double(plain.value(p))));
       const Plain_solution::Vector g = plain.gradient(p);
       for(int k = 0; k < 3; ++k)
-        error = larger(error, std::abs(double(f.gradient(p)[k] - g[k])));
+        test_support::raise_to(error, std::abs(double(f.gradient(p)[k] - g[k])));
     }
     BOOST_TEST(error < 1e-9 * size);
     BOOST_TEST(size > .1);
@@ -307,16 +302,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(derivatives_are_those_of_the_value, Function, Basi
       // fourth order
       const double quotient =
           (8 * (f(p + h * e) - f(p - h * e)) - (f(p + 2 * h * e) - f(p - 2 * h * e))) / (12 * h);
-      gradient_error = larger(gradient_error, std::abs(g[k] - quotient));
-      largest_gradient = larger(largest_gradient, std::abs(quotient));
+      test_support::raise_to(gradient_error, std::abs(g[k] - quotient));
+      test_support::raise_to(largest_gradient, std::abs(quotient));
       const Vector_3 column = (8 * (f.gradient(p + h * e) - f.gradient(p - h * e)) -
                                (f.gradient(p + 2 * h * e) - f.gradient(p - 2 * h * e))) /
                               (12 * h);
       for(int l = 0; l < 3; ++l)
       {
-        hessian_error = larger(hessian_error, std::abs(hessian(l, k) - column[l]));
-        largest_hessian = larger(largest_hessian, std::abs(column[l]));
-        asymmetry = larger(asymmetry, std::abs(hessian(l, k) - hessian(k, l)));
+        test_support::raise_to(hessian_error, std::abs(hessian(l, k) - column[l]));
+        test_support::raise_to(largest_hessian, std::abs(column[l]));
+        test_support::raise_to(asymmetry, std::abs(hessian(l, k) - hessian(k, l)));
       }
     }
   }
@@ -431,10 +426,10 @@ BOOST_AUTO_TEST_CASE(curvatures_of_a_sphere)
       Point_3 p = center + radius / std::sqrt(d.squared_length()) * d;
       for(int step = 0; step < 3; ++step)
         p = p - f(p) / f.gradient(p).squared_length() * f.gradient(p);
-      worst = larger(worst, std::abs(std::sqrt((p - center).squared_length()) / radius - 1));
+      test_support::raise_to(worst, std::abs(std::sqrt((p - center).squared_length()) / radius - 1));
       const auto k = SC::implicit_surface_curvatures(f.gradient(p), f.hessian(p));
-      worst = larger(worst, std::abs(k.min_curvature * radius - 1));
-      worst = larger(worst, std::abs(k.max_curvature * radius - 1));
+      test_support::raise_to(worst, std::abs(k.min_curvature * radius - 1));
+      test_support::raise_to(worst, std::abs(k.max_curvature * radius - 1));
     }
     BOOST_TEST_MESSAGE("sphere: largest relative error " << worst);
     return worst;
@@ -471,8 +466,8 @@ BOOST_AUTO_TEST_CASE(curvatures_of_a_torus)
     for(int step = 0; step < 3; ++step)
       p = p - f(p) / f.gradient(p).squared_length() * f.gradient(p);
     const auto c = SC::implicit_surface_curvatures(f.gradient(p), f.hessian(p));
-    worst = larger(worst, std::abs(c.max_curvature - 1 / tube));
-    worst = larger(worst, std::abs(c.min_curvature - std::cos(b) / (ring + tube * std::cos(b))));
+    test_support::raise_to(worst, std::abs(c.max_curvature - 1 / tube));
+    test_support::raise_to(worst, std::abs(c.min_curvature - std::cos(b) / (ring + tube * std::cos(b))));
   }
   BOOST_TEST_MESSAGE("torus: largest error " << worst);
   BOOST_TEST(worst < 1e-3);

@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "raise_to.h"
 #include "says.h"
 
 #include <Shape_characteristics/curvature/parametric_surface_curvatures.h>
@@ -271,11 +272,11 @@ BOOST_AUTO_TEST_CASE(derivatives_are_those_of_the_points)
       const auto check = [&](const auto& surface)
       {
         const auto exact = surface(c), estimated = differences(surface, c, h);
-        largest_first = std::max(
-            {largest_first, double((exact.u - estimated.u).norm()), double((exact.v - estimated.v).norm())});
-        largest_second =
-            std::max({largest_second, double((exact.uu - estimated.uu).norm()),
-                      double((exact.uv - estimated.uv).norm()), double((exact.vv - estimated.vv).norm())});
+        test_support::raise_to(largest_first, double((exact.u - estimated.u).norm()),
+                               double((exact.v - estimated.v).norm()));
+        test_support::raise_to(largest_second, double((exact.uu - estimated.uu).norm()),
+                               double((exact.uv - estimated.uv).norm()),
+                               double((exact.vv - estimated.vv).norm()));
       };
       check(patch.triangle());
       check(patch);
@@ -305,9 +306,9 @@ BOOST_AUTO_TEST_CASE(derivatives_on_edges_are_limits)
         near[edge] += step;
         near[(edge + 1) % 3] -= step;
         const auto a = patch(on), b = patch(near);
-        const long double largest =
-            std::max({(a.point - b.point).norm(), (a.u - b.u).norm(), (a.v - b.v).norm(),
-                      (a.uu - b.uu).norm(), (a.uv - b.uv).norm(), (a.vv - b.vv).norm()});
+        long double largest = 0.;
+        test_support::raise_to(largest, (a.point - b.point).norm(), (a.u - b.u).norm(), (a.v - b.v).norm(),
+                               (a.uu - b.uu).norm(), (a.uv - b.uv).norm(), (a.vv - b.vv).norm());
         BOOST_TEST(double(largest) < 1e-6);
       }
   }
@@ -345,11 +346,11 @@ BOOST_AUTO_TEST_CASE(tangent_planes_across_edges)
     {
       const double t = k / 32.;
       const Barycentric in_a = {0., 1. - t, t}, in_b = {t, 1. - t, 0.};
-      gap = std::max(gap, (eigen(a.point(in_a)) - eigen(b.point(in_b))).norm());
+      test_support::raise_to(gap, (eigen(a.point(in_a)) - eigen(b.point(in_b))).norm());
       const E3 n = normal_of(a.derivatives(in_a)), m = normal_of(b.derivatives(in_b));
-      blend = std::max(blend, (n - m).norm());
+      test_support::raise_to(blend, (n - m).norm());
       const E3 p = normal_of(plain_a.derivatives(in_a)), q = normal_of(plain_b.derivatives(in_b));
-      plain = std::max(plain, (p - q).norm());
+      test_support::raise_to(plain, (p - q).norm());
       // it is between those of the PN triangles
       BOOST_TEST(n.dot(p + q) > .999 * (p + q).norm());
     }
@@ -392,9 +393,9 @@ BOOST_AUTO_TEST_CASE(second_derivatives_near_a_corner)
   for(const long double s : {.05L, .3L, .5L, .8L, .95L})
   {
     const auto near = along(s, 1e-6L), nearer = along(s, 1e-9L);
-    distance = std::max({distance, double((near.uu - nearer.uu).norm()), double((near.uv - nearer.uv).norm()),
-                         double((near.vv - nearer.vv).norm())});
-    variation = std::max(variation, double((nearer.uv - reference.uv).norm()));
+    test_support::raise_to(distance, double((near.uu - nearer.uu).norm()),
+                           double((near.uv - nearer.uv).norm()), double((near.vv - nearer.vv).norm()));
+    test_support::raise_to(variation, double((nearer.uv - reference.uv).norm()));
     const auto plain = patch.triangle()({1, 0, 0});
     BOOST_TEST(double((nearer.u - plain.u).norm() + (nearer.v - plain.v).norm()) < 1e-6);
   }
@@ -410,13 +411,12 @@ BOOST_AUTO_TEST_CASE(convergence_on_a_sphere)
     double of_points = 0., of_curvatures = 0.;
     for(const Barycentric& c : grid(8))
     {
-      of_points = std::max(of_points, std::abs(eigen(patch.point(c)).norm() - 1.));
+      test_support::raise_to(of_points, std::abs(eigen(patch.point(c)).norm() - 1.));
       if(*std::min_element(c.begin(), c.end()) < .2)
         continue;
       const Derivatives d = patch.derivatives(c);
       const auto k = SC::parametric_surface_curvatures(d.u, d.v, d.uu, d.uv, d.vv);
-      of_curvatures =
-          std::max({of_curvatures, std::abs(k.min_curvature - 1.), std::abs(k.max_curvature - 1.)});
+      test_support::raise_to(of_curvatures, std::abs(k.min_curvature - 1.), std::abs(k.max_curvature - 1.));
     }
     return std::pair(of_points, of_curvatures);
   };

@@ -11,6 +11,7 @@
 #include "analytic_surfaces.h"
 #include "build_mesh.h"
 #include "normal_errors.h"
+#include "raise_to.h"
 
 #include "../../benchmark/support/test_functions.h"
 
@@ -64,7 +65,7 @@ Mean_errors mean_errors(const Analytic_surface& s, const NamedParameters& np)
     ++count;
     e.of_max += normal_error(by_max[v], n);
     e.of_hrbf += normal_error(by_hrbf[v], n);
-    e.largest = std::max(e.largest, normal_error(by_hrbf[v], n));
+    test_support::raise_to(e.largest, normal_error(by_hrbf[v], n));
   }
   e.of_max /= double(count);
   e.of_hrbf /= double(count);
@@ -126,7 +127,7 @@ BOOST_AUTO_TEST_CASE(into_the_map_of_the_input)
   for(const auto v : vertices(mesh))
   {
     different += in_place[v] != elsewhere[v];
-    largest = std::max(largest, normal_error(by_default[v], in_place[v]));
+    test_support::raise_to(largest, normal_error(by_default[v], in_place[v]));
   }
   BOOST_TEST(different == 0u);
   BOOST_TEST(largest < 1e-10);

@@ -8,6 +8,7 @@
 #include <CGAL/pca_estimate_normals.h>
 
 #include "analytic_surfaces.h"
+#include "raise_to.h"
 #include "says.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ double largest_angle(const Cloud& cloud, const test_support::Analytic_surface& s
   {
     const auto& n = surface.exact[i].normal;
     const double cosine = cloud[i].normal * Vector_3(n[0], n[1], n[2]);
-    largest = std::max(largest, std::acos(std::min(1., std::max(-1., cosine))));
+    test_support::raise_to(largest, std::acos(std::min(1., std::max(-1., cosine))));
   }
   return largest;
 }
@@ -162,7 +163,7 @@ BOOST_AUTO_TEST_CASE(estimates_are_those_of_CGAL)
       CGAL::jet_estimate_normals<CGAL::Sequential_tag>(pairs, 13, np);
     double largest = 0;
     for(std::size_t i = 0; i < cloud.size(); ++i)
-      largest = std::max(largest, 1 - std::abs(pairs[i].second * cloud[i].normal));
+      test_support::raise_to(largest, 1 - std::abs(pairs[i].second * cloud[i].normal));
     BOOST_TEST(largest < 1e-12);
   }
 }
@@ -211,7 +212,7 @@ BOOST_AUTO_TEST_CASE(regular_points_of_other_sizes)
         run(other, np);
         double change = 0.;
         for(std::size_t i = 0; i < cloud.size(); ++i)
-          change = std::max(change, std::sqrt((cloud[i].normal - other[i].normal).squared_length()));
+          test_support::raise_to(change, std::sqrt((cloud[i].normal - other[i].normal).squared_length()));
         BOOST_TEST(change < 1e-12, surface.points.size() << " points times " << factor);
       }
     }
@@ -267,7 +268,7 @@ BOOST_AUTO_TEST_CASE(order_unit_position_and_threads_do_not_matter)
       p.point = p.point + Vector_3(1e7, -2e7, 3e6);
     run(moved, np);
     for(std::size_t i = 0; i < cloud.size(); ++i)
-      largest = std::max(largest, std::sqrt((moved[i].normal - cloud[i].normal).squared_length()));
+      test_support::raise_to(largest, std::sqrt((moved[i].normal - cloud[i].normal).squared_length()));
     BOOST_TEST(largest < 1e-6);
   }
 }

@@ -10,6 +10,7 @@
 #include "analytic_surfaces.h"
 #include "bad_meshes.h"
 #include "build_mesh.h"
+#include "raise_to.h"
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/number_type_config.h>
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE(max_is_exact_on_spheres)
     const Answer answer = normals_of(mesh, weighting);
     double worst = 0.;
     for(std::size_t i = 0; i < surface.points.size(); ++i)
-      worst = std::max(worst, length(answer.normals[i] - surface.exact[i].normal));
+      test_support::raise_to(worst, length(answer.normals[i] - surface.exact[i].normal));
     if(weighting == Normal_weighting::MAX)
       BOOST_TEST(worst < 1e-14);
     else

@@ -4,6 +4,7 @@
 
 #include "bumpy_ball.h"
 #include "plain_algebra.h"
+#include "raise_to.h"
 
 #include <CGAL/number_type_config.h>
 
@@ -46,7 +47,7 @@ double difference(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b, const 
   double result = 0.;
   for(const auto& p : points.points)
     if(p.allFinite())
-      result = std::max(result, (a * p - b * p).norm());
+      test_support::raise_to(result, (a * p - b * p).norm());
   return result;
 }
 

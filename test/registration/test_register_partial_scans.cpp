@@ -10,6 +10,7 @@
 
 #include "check_names.h"
 #include "oriented_point_maps.h"
+#include "raise_to.h"
 
 #include <Eigen/Geometry>
 
@@ -166,7 +167,7 @@ double error(const Scan& scan, const CGAL::Aff_transformation_3<Kernel>& found, 
 {
   double largest = 0.;
   for(const auto& [p, n] : scan)
-    largest = (std::max)(largest, (to_eigen(p.transform(found)) - right * to_eigen(p)).norm());
+    test_support::raise_to(largest, (to_eigen(p.transform(found)) - right * to_eigen(p)).norm());
   return largest;
 }
 

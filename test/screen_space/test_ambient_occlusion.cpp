@@ -13,6 +13,7 @@
 #include <Shape_characteristics/screen_space/screen_space_curvatures.h>
 
 #include "build_face_graph.h"
+#include "raise_to.h"
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -284,7 +285,7 @@ BOOST_AUTO_TEST_CASE(rays_beside_a_wall)
     {
       const double d = 1 - (-1 + (double(i % 16) + .5) / 8);
       const double expected = 1 - (1 - d / std::hypot(d, height)) / 2;
-      largest = std::max(largest, std::abs(light[i] - expected));
+      test_support::raise_to(largest, std::abs(light[i] - expected));
     }
     BOOST_TEST_MESSAGE("largest error beside a wall: " << largest);
     BOOST_TEST(largest < 0.01);

@@ -1,5 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
+#include "raise_to.h"
+
 #include <Shape_characteristics/screen_space/OpenGL/Ambient_occlusion_pass.h>
 
 #include "../../examples/support/Offscreen_context.h"
@@ -97,7 +99,7 @@ BOOST_AUTO_TEST_CASE(the_same_as_the_mappings_on_the_CPU)
         if(i < 6)
           BOOST_TEST(light[i] == 0.25f);
         else
-          largest = std::max(
+          test_support::raise_to(
               largest,
               std::abs(mapping(Pair{curvatures.values[4 * i], curvatures.values[4 * i + 1]}) - light[i]));
       BOOST_TEST_MESSAGE("largest difference to the CPU: " << largest);
