@@ -8,10 +8,9 @@
 #include "parts/heads.h"
 #include "parts/register_scans.h"
 #include "parts/splits.h"
+#include "peak_memory_in_bytes.h"
 
 #include <Shape_characteristics/registration/Registration_verdict.h>
-
-#include <sys/resource.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -28,13 +27,6 @@ namespace {
 namespace SC = Shape_characteristics;
 using namespace registration;
 using benchmark_support::Command_line;
-
-double peak_memory_in_bytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024. * double(usage.ru_maxrss); // Linux counts in kilobytes
-}
 
 int run(const Command_line& arguments)
 {
@@ -57,11 +49,11 @@ int run(const Command_line& arguments)
     const Split parts = split(random_points(head.fine, points * 3 / 2, seed),
                               random_points(head.fine, points * 3 / 2, seed + 1), Split_protocol(), seed);
     const Point_range source = to_range(parts.source), target = to_range(parts.target);
-    const double memory_before = peak_memory_in_bytes();
+    const double memory_before = benchmark_support::peak_memory_in_bytes();
     const std::clock_t start = std::clock(); // of the processor: others may be at work
     const Registration_result found = register_scans(source, target);
     const double seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
-    const double memory = peak_memory_in_bytes();
+    const double memory = benchmark_support::peak_memory_in_bytes();
 
     const double error = registration_error(parts, motion(found));
     is_right = is_right && found.verdict == SC::Registration_verdict::SUCCESS && error < .1;

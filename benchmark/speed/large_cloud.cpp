@@ -6,6 +6,7 @@
 #include "Command_line.h"
 #include "Error_statistics.h"
 #include "Random.h"
+#include "peak_memory_in_bytes.h"
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
@@ -23,8 +24,6 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
-
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cmath>
@@ -114,13 +113,6 @@ double exact_k_min(const Sample& s)
   return (from_axis - radius) / tube / from_axis; // cos(v) / (radius + tube cos(v))
 }
 
-double peak_memory_in_bytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024. * double(usage.ru_maxrss); // Linux counts in kilobytes
-}
-
 std::function<bool(double)> progress_bar()
 {
 #ifdef SHAPE_CHARACTERISTICS_LARGE_CLOUD_PROGRESS
@@ -169,11 +161,11 @@ int run(int argc, char** argv)
   const unsigned int threads = unsigned(arguments.number("threads", 2, 1));
 
   std::vector<Sample> samples = sample_torus(points, arguments.number("seed", 1));
-  const double memory_before = peak_memory_in_bytes();
+  const double memory_before = benchmark_support::peak_memory_in_bytes();
   const auto start = std::chrono::steady_clock::now();
   const std::size_t not_estimated = estimate(samples, neighbours, threads);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const double memory = peak_memory_in_bytes();
+  const double memory = benchmark_support::peak_memory_in_bytes();
 
   benchmark_support::Error_statistics errors;
   for(const Sample& s : samples)
