@@ -178,6 +178,11 @@ double convergence_order(const Run& estimator,
   return order;
 }
 
+std::function<Analytic_surface(unsigned int)> torus_refined(double jitter)
+{
+  return [jitter](unsigned int f) { return test_support::torus(1., .4, 24 * f, 12 * f, jitter, 4); };
+}
+
 Analytic_surface
 transformed(Analytic_surface s, double scale, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift)
 {

@@ -169,6 +169,9 @@ double convergence_order(const Run& estimator,
                          Normals normals,
                          double distance = 0.);
 
+// for convergence_order()
+std::function<Analytic_surface(unsigned int)> torus_refined(double jitter);
+
 Analytic_surface
 transformed(Analytic_surface s, double scale, const Eigen::Matrix3d& rotation, const Eigen::Vector3d& shift);
 

@@ -622,7 +622,7 @@ BOOST_AUTO_TEST_CASE(point_sets)
                std::abs(result.curvatures[i].min_curvature - s.exact[i].k_min);
   }
   BOOST_TEST_MESSAGE("  points: sum of the mean errors " << error / double(points.size()));
-  BOOST_TEST(error / double(points.size()) < 1e-3); // the least of 1 / .4
+  BOOST_TEST(error / double(points.size()) < 2e-5);
 }
 
 BOOST_AUTO_TEST_CASE(bad_inputs)

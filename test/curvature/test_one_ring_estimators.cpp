@@ -17,7 +17,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -134,11 +133,6 @@ double relative(const Analytic_surface& s, double difference)
   return std::abs(difference) / largest_curvature(s);
 }
 
-std::function<Analytic_surface(unsigned int)> torus(double jitter)
-{
-  return [jitter](unsigned int f) { return test_support::torus(1., .4, 24 * f, 12 * f, jitter, 4); };
-}
-
 } // namespace
 
 BOOST_AUTO_TEST_CASE(equal_plain_implementations)
@@ -248,12 +242,12 @@ BOOST_AUTO_TEST_CASE(errors_per_vertex)
 // vertex in evenly spread directions: here they don't.
 BOOST_AUTO_TEST_CASE(convergence)
 {
-  BOOST_TEST(convergence_order(theisel, torus(0.), Normals::EXACT) > 1.8);
-  BOOST_TEST(convergence_order(theisel, torus(.2), Normals::EXACT) > .8);
-  BOOST_TEST(convergence_order(meyer, torus(0.), Normals::EXACT) > 1.8);
-  BOOST_TEST(std::abs(convergence_order(meyer, torus(.2), Normals::EXACT)) < .2);
-  BOOST_TEST(std::abs(convergence_order(taubin, torus(0.), Normals::EXACT)) < .2);
-  BOOST_TEST(std::abs(convergence_order(taubin, torus(.2), Normals::EXACT)) < .2);
+  BOOST_TEST(convergence_order(theisel, torus_refined(0.), Normals::EXACT) > 1.8);
+  BOOST_TEST(convergence_order(theisel, torus_refined(.2), Normals::EXACT) > .8);
+  BOOST_TEST(convergence_order(meyer, torus_refined(0.), Normals::EXACT) > 1.8);
+  BOOST_TEST(std::abs(convergence_order(meyer, torus_refined(.2), Normals::EXACT)) < .2);
+  BOOST_TEST(std::abs(convergence_order(taubin, torus_refined(0.), Normals::EXACT)) < .2);
+  BOOST_TEST(std::abs(convergence_order(taubin, torus_refined(.2), Normals::EXACT)) < .2);
 }
 
 BOOST_AUTO_TEST_CASE(motion_and_scale)

@@ -172,10 +172,6 @@ Eigen::Vector2d plain_boschiroli(const Analytic_surface& s, std::size_t vertex)
   return test_support::symmetric_eigenvalues(m);
 }
 
-std::function<Analytic_surface(unsigned int)> torus(double jitter)
-{
-  return [jitter](unsigned int f) { return test_support::torus(1., .4, 24 * f, 12 * f, jitter, 4); };
-}
 std::function<Analytic_surface(unsigned int)> waves(double jitter)
 {
   return [jitter](unsigned int f) { return test_support::waves(.1, 4., 1., 20 * f, jitter, 5); };
@@ -245,11 +241,11 @@ BOOST_AUTO_TEST_CASE(convergence)
 {
   for(const Patch_estimator& estimator : all_methods)
   {
-    BOOST_TEST(convergence_order(estimator, torus(0.), Normals::EXACT) > 1.8);
-    BOOST_TEST(convergence_order(estimator, torus(.2), Normals::EXACT) > 1.5);
+    BOOST_TEST(convergence_order(estimator, torus_refined(0.), Normals::EXACT) > 1.8);
+    BOOST_TEST(convergence_order(estimator, torus_refined(.2), Normals::EXACT) > 1.5);
     BOOST_TEST(convergence_order(estimator, waves(.2), Normals::EXACT, .5) > .9);
   }
-  BOOST_TEST(convergence_order(boschiroli, torus(.2), Normals::EXACT) > 1.8);
+  BOOST_TEST(convergence_order(boschiroli, torus_refined(.2), Normals::EXACT) > 1.8);
 }
 
 BOOST_AUTO_TEST_CASE(motion_and_scale)
