@@ -38,6 +38,10 @@ configure()
   command -v ninja > /dev/null && export CMAKE_GENERATOR=${CMAKE_GENERATOR:-Ninja}
   local warnings_as_errors=OFF # sanitizers make the compiler warn of what is not so
   [[ $1 != *san ]] && warnings_as_errors=ON
+  # TBB's allocator, which libtbb-dev brings, saves compilers a twentieth of their time
+  local proxy=libtbbmalloc_proxy.so.2
+  [[ $(/sbin/ldconfig -p 2> /dev/null) == *$proxy* ]] &&
+    export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-env;LD_PRELOAD=$proxy}
   cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
 }
 build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--target "${@:2}"}; } # one more, for who waits
