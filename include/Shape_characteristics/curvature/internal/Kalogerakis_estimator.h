@@ -319,13 +319,14 @@ private:
       }
     };
     const std::size_t count = neighbors.size();
+    Pair_equations of_all; // as the last of these leaves it
     for(const std::size_t nearest : {(count + 2) / 3, (2 * count + 2) / 3, count})
     {
-      Pair_equations equations;
+      of_all = Pair_equations();
       for(const Pair& pair : w.pairs)
         if(pair.farther <= nearest)
-          equations.add(1., pair.x, pair.y, pair.a, pair.b);
-      consider(equations);
+          of_all.add(1., pair.x, pair.y, pair.a, pair.b);
+      consider(of_all);
     }
     for(std::size_t j = 1; j <= count; ++j)
       for(const std::size_t step : {std::size_t(1), std::size_t(2)})
@@ -349,9 +350,6 @@ private:
       return false;
 
     // Reweighted least squares, with the deviation that the first guess has.
-    Pair_equations of_all;
-    for(const Pair& pair : w.pairs)
-      of_all.add(1., pair.x, pair.y, pair.a, pair.b);
     measure(s, w);
     const double bend = std::sqrt(s[0] * s[0] + 2. * s[1] * s[1] + s[2] * s[2]);
     // so few residuals have too small a median: Rousseeuw's and Leroy's correction
