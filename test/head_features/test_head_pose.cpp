@@ -177,6 +177,9 @@ BOOST_AUTO_TEST_CASE(not_heads)
   const Pose none = SC::estimate_head_pose(Mesh());
   BOOST_TEST(int(none.verdict) == int(Head_verdict::NOT_A_HEAD));
   BOOST_TEST(int(none.obstacle) == int(Head_obstacle::FEW_SAMPLES));
+  // fewer vertices than a head has features
+  const Pose cube = SC::estimate_head_pose(read(support::data_file("meshes/cube.off")));
+  BOOST_TEST(int(cube.obstacle) == int(Head_obstacle::FEW_SAMPLES));
 }
 
 BOOST_AUTO_TEST_CASE(cancelling)

@@ -1,6 +1,7 @@
 #ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_HEAD_POSE_OF_H
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_HEAD_POSE_OF_H
 
+#include <Shape_characteristics/head_features/Head_feature.h>
 #include <Shape_characteristics/head_features/Head_pose.h>
 #include <Shape_characteristics/head_features/Head_verdict.h>
 #include <Shape_characteristics/head_features/internal/pose_mean_head.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -87,6 +89,11 @@ Head_pose<Kernel> head_pose_of(const Pose_points& points,
     return pose;
   const Pose_surface surface(points);
   if(!surface.is_valid())
+    return pose;
+  // those without a number lie between vertices
+  const std::vector<std::uint32_t>& numbers = surface.all().numbers;
+  const auto between = std::size_t(std::count(numbers.begin(), numbers.end(), Pose_points::none));
+  if(numbers.size() - between < number_of_head_features)
     return pose;
   if(surface.is_inside_out() && !is_reversed)
   {

@@ -1,7 +1,6 @@
 #ifndef SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_SURFACE_H
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_SURFACE_H
 
-#include <Shape_characteristics/head_features/Head_feature.h>
 #include <Shape_characteristics/head_features/internal/pose_grid.h>
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
 
@@ -68,16 +67,12 @@ public:
   explicit Pose_surface(const Pose_points& all)
   {
     Pose_points usable;
-    std::size_t given = 0; // those that aren't between others
     for(std::size_t i = 0; i < all.points.size(); ++i)
       if(all.points[i].allFinite() && all.normals[i].allFinite() &&
          std::abs(all.normals[i].norm() - 1.) < 1e-3)
-      {
         usable.add(all.points[i], all.normals[i], all.min_curvatures[i], all.max_curvatures[i],
                    all.numbers[i]);
-        given += all.numbers[i] != Pose_points::none;
-      }
-    if(usable.points.size() < few || given < number_of_head_features)
+    if(usable.points.size() < few)
       return;
     set_frame(usable.points);
     if(!(m_size > 0.) || !std::isfinite(m_size))
