@@ -39,10 +39,9 @@ configure()
   local warnings_as_errors=OFF # sanitizers make the compiler warn of what is not so
   [[ $1 != *san ]] && warnings_as_errors=ON
   # TBB's allocator, which libtbb-dev brings, saves compilers a twentieth of their time
-  local proxy=libtbbmalloc_proxy.so.2
-  [[ $(/sbin/ldconfig -p 2> /dev/null) == *$proxy* ]] &&
-    export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER:-env;LD_PRELOAD=$proxy}
-  cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
+  local launcher=${CMAKE_CXX_COMPILER_LAUNCHER:-} proxy=libtbbmalloc_proxy.so.2
+  [[ -z $launcher && $(/sbin/ldconfig -p 2> /dev/null) == *$proxy* ]] && launcher="env;LD_PRELOAD=$proxy"
+  CMAKE_CXX_COMPILER_LAUNCHER=$launcher cmake --preset "$1" -D SHAPE_CHARACTERISTICS_WARNINGS_AS_ERRORS=$warnings_as_errors
 }
 build() { cmake --build --preset "$1" --parallel "$(parallel_jobs 1)" ${2:+--target "${@:2}"}; } # one more, for who waits
 run_tests() { ctest --preset "$1" --parallel "$(parallel_jobs)"; }

@@ -33,7 +33,7 @@ constexpr const char* to_string(Head_verdict verdict) noexcept
 enum class Head_obstacle : unsigned char
 {
   NONE,        ///< nothing: the verdict is `HEAD`
-  FEW_SAMPLES, ///< there are too few points that can be used: fewer vertices than a head has features
+  FEW_SAMPLES, ///< there are too few points that can be used, or fewer vertices than a head has features
   CANCELLED,   ///< the callback stopped the search
   INSIDE_OUT, ///< it is a head, but its normals point inward: reverse the orientation of the faces, or the normals
   NO_NOSE,            ///< nothing stands out as the tip of a nose does
