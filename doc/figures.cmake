@@ -6,6 +6,7 @@ if(SHAPE_CHARACTERISTICS_BUILD_DOCUMENTATION AND DOXYGEN_FOUND)
     example_figures_characteristics
     example_figures_neighborhoods
     example_characteristics_saliency
+    example_characteristics_sharp_vertices
     example_curvature_compare_estimators
     example_descriptors_spin_image_descriptors
     example_screen_space_screen_space_curvature

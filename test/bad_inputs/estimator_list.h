@@ -344,6 +344,7 @@ std::vector<Estimator<Input>> estimators()
   }
   {
     Estimator<Input>& e = list.add_curvatures("kalogerakis", kalogerakis, defaults);
+    e.resolution = 2.;
     e.sight = 8; // neighbors of neighbors of neighbors
     e.accuracy = .1;
   }
@@ -399,11 +400,13 @@ std::vector<Estimator<Input>> estimators()
     { return SC::hildebrandt_polthier_curvatures(std::forward<decltype(a)>(a)...); };
     {
       Estimator<Input>& e = list.add_curvatures("normal_cycle", normal_cycle, defaults);
+      e.resolution = 2.;
       e.needs_triangles = true;
       e.accuracy = .2; // a mean over a ball of two edges
     }
     {
       Estimator<Input>& e = list.add_curvatures("hildebrandt_polthier", hildebrandt_polthier, defaults);
+      e.resolution = 2.;
       e.needs_triangles = true;
       e.accuracy = .1; // and so is this
     }
@@ -411,6 +414,7 @@ std::vector<Estimator<Input>> estimators()
     { return SC::integral_invariant_curvatures(std::forward<decltype(a)>(a)...); };
     {
       Estimator<Input>& e = list.add_curvatures("integral_invariant", integral_invariant, defaults);
+      e.resolution = 2.;
       e.needs_triangles = true;
       e.flips_exactly = false; // the solid on the other side has other roundings
       e.accuracy = .1;

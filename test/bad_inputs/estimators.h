@@ -70,6 +70,8 @@ struct Estimator
   std::size_t sight = 5;
   // It averages over a pattern, whose radius is the mean edge length of the whole, and which doesn't turn with the input.
   bool has_pattern = false;
+  // Its curvatures are averages over a ball of so many mean edges; 1: over no more than the faces at a vertex.
+  double resolution = 1.;
   // There is a bound on curvature times size of the neighborhood, for every input.
   bool is_bounded = true;
   bool needs_triangles = false;

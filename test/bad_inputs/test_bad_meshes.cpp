@@ -9,6 +9,10 @@
 #include "estimators.h"
 #include "raise_to.h"
 
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/characteristics/is_sharp.h>
+
+#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -205,7 +209,7 @@ Polygon_arrays with_point(Polygon_arrays a, std::size_t i, const Vector& p, cons
   return a;
 }
 
-// a cube of 3 x 3 x 3 cells: faces, edges and corners of a CAD part
+// a cube of n x n x n cells: faces, edges and corners of a CAD part
 Polygon_arrays fine_cube(std::size_t n = 4)
 {
   Polygon_arrays m{"fine cube", {}, {}};
@@ -592,7 +596,57 @@ BOOST_AUTO_TEST_CASE(cylinder_has_a_direction)
       }
 }
 
-// The tip of a cone has no curvature: what is said of it is bounded, and its sides are those of a cone.
+namespace {
+
+// whether an estimate says that the surface is sharp at `v`, whose edges' lengths tell how far apart samples are
+bool is_sharp_at(const Mesh_estimator& estimator, Mesh::Vertex_index v, const Mesh& mesh, const Estimate& e)
+{
+  double sum = 0.;
+  for(const auto h : halfedges_around_target(v, mesh))
+    sum += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
+  SC::Principal_curvatures_and_directions<Kernel> curvatures;
+  curvatures.min_curvature = e.k_min();
+  curvatures.max_curvature = e.k_max();
+  return SC::is_sharp(curvatures, estimator.resolution * sum / double(mesh.degree(v)));
+}
+
+} // namespace
+
+// Edges of a cube are found by what is said of their curvature, and neither its faces nor a ball.
+BOOST_AUTO_TEST_CASE(sharp_edges)
+{
+  const Polygon_arrays cube = fine_cube(6);
+  std::vector<std::size_t> planes(cube.points.size()); // of those of the faces, through each vertex
+  std::vector<std::size_t> on_edges;
+  for(std::size_t i = 0; i < cube.points.size(); ++i)
+  {
+    for(std::size_t axis = 0; axis < 3; ++axis)
+      planes[i] += cube.points[i][axis] == 0. || cube.points[i][axis] == 1.;
+    if(planes[i] >= 2)
+      on_edges.push_back(i);
+  }
+  const std::vector<std::size_t> rings = rings_from(cube, on_edges);
+  BOOST_REQUIRE(*std::max_element(rings.begin(), rings.end()) == 3);
+  const Mesh mesh = mesh_of(cube), ball = mesh_of(arrays(sphere(1., 3)));
+  for(const Mesh_estimator& estimator : all_estimators)
+    if(estimator.gives_curvatures)
+      BOOST_TEST_CONTEXT(estimator.name)
+      {
+        const Results of_cube = estimator.all(mesh), of_ball = estimator.all(ball);
+        for(const auto v : vertices(mesh))
+        {
+          const std::size_t i(v);
+          if(planes[i] == 2 && SC::is_estimated(of_cube.samples[i].status))
+            BOOST_TEST(is_sharp_at(estimator, v, mesh, of_cube.samples[i]), "edge, vertex " << i);
+          if(rings[i] == 3)
+            BOOST_TEST(!is_sharp_at(estimator, v, mesh, of_cube.samples[i]), "face, vertex " << i);
+        }
+        for(const auto v : vertices(ball))
+          BOOST_TEST(!is_sharp_at(estimator, v, ball, of_ball.samples[std::size_t(v)]), "ball, " << v);
+      }
+}
+
+// The tip of a cone has no curvature: it is sharp, what is said of it is bounded, and its sides are those of a cone.
 BOOST_AUTO_TEST_CASE(cone_with_apex)
 {
   const Analytic_surface surface = cone(1., 1.5, 24, 12);
@@ -609,6 +663,11 @@ BOOST_AUTO_TEST_CASE(cone_with_apex)
       const Results results = estimator.all(mesh);
       BOOST_TEST(complaint(results, mesh) == "");
       bounded(surface.mean_edge_length(), 100.)(estimator, mesh, results);
+      if(estimator.gives_curvatures && estimator.resolution == 1.) // it isn't averaged with the sides
+        for(const std::size_t i : singular)
+          if(SC::is_estimated(results.samples[i].status))
+            BOOST_TEST(
+                is_sharp_at(estimator, Mesh::Vertex_index(Mesh::size_type(i)), mesh, results.samples[i]));
       if(estimator.gives_curvatures && estimator.accuracy < 1.)
         for(std::size_t i = 0; i < surface.points.size(); ++i)
           if(rings[i] > estimator.sight && !surface.exact[i].border)

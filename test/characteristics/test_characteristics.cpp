@@ -5,6 +5,7 @@
 #include <Shape_characteristics/characteristics/Willmore_energy.h>
 #include <Shape_characteristics/characteristics/curvedness.h>
 #include <Shape_characteristics/characteristics/is_planar.h>
+#include <Shape_characteristics/characteristics/is_sharp.h>
 #include <Shape_characteristics/characteristics/is_umbilic.h>
 #include <Shape_characteristics/characteristics/mean_curvature.h>
 #include <Shape_characteristics/characteristics/shape_index.h>
@@ -155,6 +156,7 @@ BOOST_AUTO_TEST_CASE(nan_is_passed_on)
     BOOST_TEST(std::isnan(SC::Willmore_energy(c)));
     BOOST_TEST(!SC::is_umbilic(c));
     BOOST_TEST(!SC::is_planar(c));
+    BOOST_TEST(!SC::is_sharp(c, largest));
   }
   BOOST_TEST(std::isnan(SC::shape_index(curvatures(1, infinity))));
   BOOST_TEST(!SC::is_umbilic(curvatures(infinity, infinity)));
@@ -180,6 +182,27 @@ BOOST_AUTO_TEST_CASE(umbilics)
   BOOST_TEST(!SC::is_umbilic(curvatures(-largest, largest)));
   BOOST_CHECK_THROW(SC::is_umbilic(curvatures(0, 0), -1e-9), std::invalid_argument);
   BOOST_CHECK_THROW(SC::is_umbilic(curvatures(0, 0), quiet_nan), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(sharpness)
+{
+  for(double scale : {1e-300, 1e-150, 1., 1e150, 1e300})
+  {
+    BOOST_TEST(SC::is_sharp(curvatures(-.1 / scale, .6 / scale), scale));
+    BOOST_TEST(SC::is_sharp(curvatures(-.6 / scale, .1 / scale), scale));
+    BOOST_TEST(!SC::is_sharp(curvatures(-.4 / scale, .4 / scale), scale));
+    BOOST_TEST(SC::is_sharp(curvatures(-.4 / scale, .4 / scale), scale, .3));
+    BOOST_TEST(!SC::is_sharp(curvatures(-.6 / scale, .6 / scale), scale, .7));
+  }
+  BOOST_TEST(!SC::is_sharp(curvatures(0, .5), 1)); // at most
+  BOOST_TEST(!SC::is_sharp(curvatures(-largest, largest), 0));
+  BOOST_TEST(SC::is_sharp(curvatures(0, largest), largest));
+  BOOST_TEST(SC::is_sharp(curvatures(0, smallest), 1, 0));
+  BOOST_TEST(!SC::is_sharp(curvatures(0, 0), largest, 0));
+  BOOST_CHECK_THROW(SC::is_sharp(curvatures(0, 0), -1e-9), std::invalid_argument);
+  BOOST_CHECK_THROW(SC::is_sharp(curvatures(0, 0), quiet_nan), std::invalid_argument);
+  BOOST_CHECK_THROW(SC::is_sharp(curvatures(0, 0), 1, -1e-9), std::invalid_argument);
+  BOOST_CHECK_THROW(SC::is_sharp(curvatures(0, 0), 1, quiet_nan), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(planes)

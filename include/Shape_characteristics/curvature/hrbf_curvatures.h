@@ -53,7 +53,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   estimated from the mesh, and noise on the points, are dealt with by default: they are weighed against each other by their
   evidence, see `noise_level`. A surface that is sampled coarsely looks a little noisy as well; where it is known to be clean,
   `noise_level(0)` is better. At sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing
-  beside it.
+  beside it; `is_sharp()` finds the edges.
 
   Where triangles are much longer than wide, as CAD programs make them for cylinders, rings reach farther along them than across.
   There, what the rings hold is fitted after space was compressed along the tangent, until it is at most twice as long as wide (four
