@@ -4,6 +4,8 @@
 #include "raise_to.h"
 
 #include <Shape_characteristics/Estimation_status.h>
+#include <Shape_characteristics/Principal_curvatures_and_directions.h>
+#include <Shape_characteristics/characteristics/is_sharp.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -70,7 +72,7 @@ struct Estimator
   std::size_t sight = 5;
   // It averages over a pattern, whose radius is the mean edge length of the whole, and which doesn't turn with the input.
   bool has_pattern = false;
-  // Its curvatures are averages over a ball of so many mean edges; 1: over no more than the faces at a vertex.
+  // Its curvatures are averages over a ball whose radius is so many mean edges; 1: they aren't.
   double resolution = 1.;
   // There is a bound on curvature times size of the neighborhood, for every input.
   bool is_bounded = true;
@@ -148,6 +150,16 @@ inline double largest(const Results& results)
   for(const Estimate& e : results.samples)
     size = std::max(size, SC::is_estimated(e.status) ? largest(e) : 0.);
   return size;
+}
+
+// whether an estimate says that the surface is sharp for samples that are `spacing` apart
+template <typename Input>
+bool is_sharp(const Estimator<Input>& estimator, const Estimate& e, double spacing)
+{
+  SC::Principal_curvatures_and_directions<Kernel> curvatures;
+  curvatures.min_curvature = e.k_min();
+  curvatures.max_curvature = e.k_max();
+  return SC::is_sharp(curvatures, estimator.resolution * spacing);
 }
 
 // What holds for every input -------------------------------------------------------------------------------

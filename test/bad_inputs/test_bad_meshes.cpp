@@ -9,9 +9,6 @@
 #include "estimators.h"
 #include "raise_to.h"
 
-#include <Shape_characteristics/Principal_curvatures_and_directions.h>
-#include <Shape_characteristics/characteristics/is_sharp.h>
-
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/boost/graph/helpers.h>
@@ -598,16 +595,12 @@ BOOST_AUTO_TEST_CASE(cylinder_has_a_direction)
 
 namespace {
 
-// whether an estimate says that the surface is sharp at `v`, whose edges' lengths tell how far apart samples are
-bool is_sharp_at(const Mesh_estimator& estimator, Mesh::Vertex_index v, const Mesh& mesh, const Estimate& e)
+double mean_length_of_edges_at(Mesh::Vertex_index v, const Mesh& mesh)
 {
   double sum = 0.;
   for(const auto h : halfedges_around_target(v, mesh))
     sum += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
-  SC::Principal_curvatures_and_directions<Kernel> curvatures;
-  curvatures.min_curvature = e.k_min();
-  curvatures.max_curvature = e.k_max();
-  return SC::is_sharp(curvatures, estimator.resolution * sum / double(mesh.degree(v)));
+  return sum / double(mesh.degree(v));
 }
 
 } // namespace
@@ -637,12 +630,15 @@ BOOST_AUTO_TEST_CASE(sharp_edges)
         {
           const std::size_t i(v);
           if(planes[i] == 2 && SC::is_estimated(of_cube.samples[i].status))
-            BOOST_TEST(is_sharp_at(estimator, v, mesh, of_cube.samples[i]), "edge, vertex " << i);
+            BOOST_TEST(is_sharp(estimator, of_cube.samples[i], mean_length_of_edges_at(v, mesh)),
+                       "edge, vertex " << i);
           if(rings[i] == 3)
-            BOOST_TEST(!is_sharp_at(estimator, v, mesh, of_cube.samples[i]), "face, vertex " << i);
+            BOOST_TEST(!is_sharp(estimator, of_cube.samples[i], mean_length_of_edges_at(v, mesh)),
+                       "face, vertex " << i);
         }
         for(const auto v : vertices(ball))
-          BOOST_TEST(!is_sharp_at(estimator, v, ball, of_ball.samples[std::size_t(v)]), "ball, " << v);
+          BOOST_TEST(!is_sharp(estimator, of_ball.samples[std::size_t(v)], mean_length_of_edges_at(v, ball)),
+                     "ball, " << v);
       }
 }
 
@@ -666,8 +662,8 @@ BOOST_AUTO_TEST_CASE(cone_with_apex)
       if(estimator.gives_curvatures && estimator.resolution == 1.) // it isn't averaged with the sides
         for(const std::size_t i : singular)
           if(SC::is_estimated(results.samples[i].status))
-            BOOST_TEST(
-                is_sharp_at(estimator, Mesh::Vertex_index(Mesh::size_type(i)), mesh, results.samples[i]));
+            BOOST_TEST(is_sharp(estimator, results.samples[i],
+                                mean_length_of_edges_at(Mesh::Vertex_index(Mesh::size_type(i)), mesh)));
       if(estimator.gives_curvatures && estimator.accuracy < 1.)
         for(std::size_t i = 0; i < surface.points.size(); ++i)
           if(rings[i] > estimator.sight && !surface.exact[i].border)

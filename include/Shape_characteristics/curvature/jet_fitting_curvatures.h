@@ -241,7 +241,9 @@ Estimation_status jet_fitting_curvatures(typename internal::Vertex_descriptor<Fa
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{`18`}
-      \cgalParamExtra{With fewer than the polynomial needs, every status is `FEW_NEIGHBOURS`.}
+      \cgalParamExtra{With fewer than the polynomial needs, every status is `FEW_NEIGHBOURS`. At the border of a grid, the nearest
+                      points lie in few rows: 18 of them often don't determine a polynomial of degree 4, and the status is
+                      `DEGENERATE`; 32 do.}
     \cgalParamNEnd
     \scRadiusOfPointSetParameter
     \scCallbackParameter
