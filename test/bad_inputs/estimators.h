@@ -72,7 +72,7 @@ struct Estimator
   std::size_t sight = 5;
   // It averages over a pattern, whose radius is the mean edge length of the whole, and which doesn't turn with the input.
   bool has_pattern = false;
-  // Its curvatures are averages over a ball whose radius is so many mean edges; 1: they aren't.
+  // It smooths as an average over a ball does whose radius is so many mean edges; 1: it doesn't.
   double resolution = 1.;
   // There is a bound on curvature times size of the neighborhood, for every input.
   bool is_bounded = true;
