@@ -8,8 +8,9 @@
 #include <Shape_characteristics/characteristics/is_sharp.h>
 #include <Shape_characteristics/characteristics/mean_curvature.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -25,14 +26,6 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
 
-double mean_length_of_edges_at(Mesh::Vertex_index v, const Mesh& mesh)
-{
-  double sum = 0;
-  for(const auto h : halfedges_around_target(v, mesh))
-    sum += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
-  return mesh.degree(v) == 0 ? 0 : sum / mesh.degree(v);
-}
-
 // argument: the folder to write sharp_vertices.png to
 int main(int argc, char* argv[])
 {
@@ -42,11 +35,12 @@ int main(int argc, char* argv[])
   auto curvatures = mesh.add_property_map<Mesh::Vertex_index, Curvatures>("v:curvatures").first;
   SC::hrbf_curvatures(mesh, SC::parameters::vertex_principal_curvatures_and_directions_map(curvatures));
 
+  const SC::Face_graph_samples samples(mesh, mesh.points(), SC::Neighborhood::rings(1));
   support::Drawable shape = support::drawable_mesh(mesh), smooth = shape;
   std::size_t sharp = 0;
   for(const auto v : mesh.vertices())
   {
-    const bool is_sharp = SC::is_sharp(curvatures[v], mean_length_of_edges_at(v, mesh));
+    const bool is_sharp = SC::is_sharp(curvatures[v], samples.spacing(v));
     const double mean_curvature = SC::mean_curvature(curvatures[v]);
     shape.scalars.push_back(mean_curvature);
     smooth.scalars.push_back(is_sharp ? std::numeric_limits<double>::quiet_NaN() : mean_curvature);

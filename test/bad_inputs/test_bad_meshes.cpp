@@ -7,9 +7,12 @@
 #include "bad_meshes.h"
 #include "build_mesh.h"
 #include "estimators.h"
+#include "known_shapes.h"
 #include "raise_to.h"
 
-#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <Shape_characteristics/sampling/Face_graph_samples.h>
+#include <Shape_characteristics/sampling/Neighborhood.h>
+
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/boost/graph/helpers.h>
 
@@ -557,50 +560,31 @@ BOOST_AUTO_TEST_CASE(sphere_is_umbilic)
     if(estimator.gives_curvatures)
       BOOST_TEST_CONTEXT(estimator.name)
       {
-        double worst = 0.;
-        for(const Estimate& e : estimator.all(mesh).samples)
-        {
-          BOOST_TEST(SC::is_estimated(e.status));
-          test_support::raise_to(worst, std::abs(e.k_min() * radius - 1.), std::abs(e.k_max() * radius - 1.));
-        }
-        BOOST_TEST_MESSAGE("sphere, " << estimator.name << ": " << worst);
-        BOOST_TEST(worst <= estimator.accuracy);
+        check_sphere(estimator, estimator.all(mesh), radius);
       }
 }
 
-// k_min is zero, and has a direction all the same
 BOOST_AUTO_TEST_CASE(cylinder_has_a_direction)
 {
   const Analytic_surface surface = cylinder(1., 2., 40, 12, .15);
+  std::vector<std::size_t> inner;
+  for(std::size_t i = 0; i < surface.points.size(); ++i)
+    if(!surface.exact[i].border && std::abs(surface.points[i].z) < .6)
+      inner.push_back(i);
   const Mesh mesh = mesh_of(arrays(surface));
   for(const Mesh_estimator& estimator : all_estimators)
     if(estimator.gives_curvatures)
       BOOST_TEST_CONTEXT(estimator.name)
       {
-        const Results results = estimator.all(mesh);
-        double worst = 0.;
-        for(std::size_t i = 0; i < surface.points.size(); ++i)
-          if(!surface.exact[i].border && std::abs(surface.points[i].z) < .6)
-          {
-            const Estimate& e = results.samples[i];
-            BOOST_TEST((e.status == S::ESTIMATED));
-            test_support::raise_to(worst, std::abs(e.k_min()), std::abs(e.k_max() - 1.));
-            if(estimator.accuracy < 1.)
-              BOOST_TEST(std::abs(e.values[6]) > 1. - 2. * estimator.accuracy, "vertex " << i);
-          }
-        BOOST_TEST_MESSAGE("cylinder, " << estimator.name << ": " << worst);
-        BOOST_TEST(worst <= estimator.accuracy);
+        check_cylinder(estimator, estimator.all(mesh), inner);
       }
 }
 
 namespace {
 
-double mean_length_of_edges_at(Mesh::Vertex_index v, const Mesh& mesh)
+SC::Face_graph_samples samples_of(const Mesh& mesh)
 {
-  double sum = 0.;
-  for(const auto h : halfedges_around_target(v, mesh))
-    sum += CGAL::Polygon_mesh_processing::edge_length(h, mesh);
-  return sum / double(mesh.degree(v));
+  return SC::Face_graph_samples(mesh, mesh.points(), SC::Neighborhood::rings(1));
 }
 
 } // namespace
@@ -621,24 +605,23 @@ BOOST_AUTO_TEST_CASE(sharp_edges)
   const std::vector<std::size_t> rings = rings_from(cube, on_edges);
   BOOST_REQUIRE(*std::max_element(rings.begin(), rings.end()) == 3);
   const Mesh mesh = mesh_of(cube), ball = mesh_of(arrays(sphere(1., 3)));
+  const SC::Face_graph_samples samples = samples_of(mesh), samples_of_ball = samples_of(ball);
   for(const Mesh_estimator& estimator : all_estimators)
     if(estimator.gives_curvatures)
       BOOST_TEST_CONTEXT(estimator.name)
       {
         const Results of_cube = estimator.all(mesh), of_ball = estimator.all(ball);
-        for(const auto v : vertices(mesh))
+        for(std::size_t i = 0; i < planes.size(); ++i)
         {
-          const std::size_t i(v);
+          const bool is_found = is_sharp(estimator, of_cube.samples[i], samples.spacing(i));
           if(planes[i] == 2 && SC::is_estimated(of_cube.samples[i].status))
-            BOOST_TEST(is_sharp(estimator, of_cube.samples[i], mean_length_of_edges_at(v, mesh)),
-                       "edge, vertex " << i);
+            BOOST_TEST(is_found, "edge, vertex " << i);
           if(rings[i] == 3)
-            BOOST_TEST(!is_sharp(estimator, of_cube.samples[i], mean_length_of_edges_at(v, mesh)),
-                       "face, vertex " << i);
+            BOOST_TEST(!is_found, "face, vertex " << i);
         }
-        for(const auto v : vertices(ball))
-          BOOST_TEST(!is_sharp(estimator, of_ball.samples[std::size_t(v)], mean_length_of_edges_at(v, ball)),
-                     "ball, " << v);
+        for(std::size_t i = 0; i < samples_of_ball.size(); ++i)
+          BOOST_TEST(!is_sharp(estimator, of_ball.samples[i], samples_of_ball.spacing(i)),
+                     "ball, vertex " << i);
       }
 }
 
@@ -652,6 +635,7 @@ BOOST_AUTO_TEST_CASE(cone_with_apex)
     if(surface.exact[i].singular)
       singular.push_back(i);
   BOOST_REQUIRE(!singular.empty());
+  const SC::Face_graph_samples samples = samples_of(mesh);
   const std::vector<std::size_t> rings = rings_from(arrays(surface), singular);
   for(const Mesh_estimator& estimator : all_estimators)
     BOOST_TEST_CONTEXT(estimator.name)
@@ -662,8 +646,7 @@ BOOST_AUTO_TEST_CASE(cone_with_apex)
       if(estimator.gives_curvatures && estimator.resolution == 1.) // it isn't averaged with the sides
         for(const std::size_t i : singular)
           if(SC::is_estimated(results.samples[i].status))
-            BOOST_TEST(is_sharp(estimator, results.samples[i],
-                                mean_length_of_edges_at(Mesh::Vertex_index(Mesh::size_type(i)), mesh)));
+            BOOST_TEST(is_sharp(estimator, results.samples[i], samples.spacing(i)));
       if(estimator.gives_curvatures && estimator.accuracy < 1.)
         for(std::size_t i = 0; i < surface.points.size(); ++i)
           if(rings[i] > estimator.sight && !surface.exact[i].border)

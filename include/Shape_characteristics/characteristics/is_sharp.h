@@ -28,8 +28,9 @@ namespace Shape_characteristics {
   `Principal_curvatures_and_directions`
 
   \param curvatures the principal curvatures
-  \param distance how far apart samples are (unit: length): the mean length of the edges at a vertex, or the mean distance of a
-         point to those around it; for estimators that average over a ball, its radius, though a single tip may be lost in it
+  \param distance how far apart samples are (unit: length), as `spacing()` of Face_graph_samples and Point_set_samples tells: the
+         mean length of the edges at a vertex, or the mean distance of a point to those around it; for estimators that average
+         over a ball, its radius, though a single tip may be lost in it
   \param largest_turn an angle in radians
 
   \throws std::invalid_argument if `distance` or `largest_turn` is negative or NaN
