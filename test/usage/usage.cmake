@@ -35,4 +35,11 @@ foreach(value IN LISTS parallel)
     -D FLAGS=${CMAKE_CXX_FLAGS_RELEASE}
     -P ${CMAKE_CURRENT_LIST_DIR}/install_and_consume.cmake)
   set_tests_properties(usage/consumer_parallel_${value} PROPERTIES TIMEOUT 600)
+  add_test(NAME usage/contained_parallel_${value} COMMAND ${CMAKE_COMMAND}
+    -D SOURCES=${PROJECT_SOURCE_DIR}
+    -D CONSUMER=${CMAKE_CURRENT_LIST_DIR}/consumer
+    -D SCRATCH=${CMAKE_CURRENT_BINARY_DIR}/usage/contained_parallel_${value}
+    -D PARALLEL=${value}
+    -D COMPILER=${CMAKE_CXX_COMPILER}
+    -P ${CMAKE_CURRENT_LIST_DIR}/contain_sources.cmake)
 endforeach()
