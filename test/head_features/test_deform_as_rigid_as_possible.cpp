@@ -56,6 +56,25 @@ BOOST_AUTO_TEST_CASE(what_handles_hold_goes_with_them_and_what_is_far_stays)
   }
 }
 
+// Handles with points far inside of faces take the vertices of those faces along, each its own.
+BOOST_AUTO_TEST_CASE(coarse_meshes)
+{
+  const Mesh mesh = build_mesh<Mesh>(test_support::plane(10., 10));
+  std::vector<Handle> handles;
+  std::vector<Vertex> held;
+  for(const double x : {-6., 6.})
+  {
+    const Vertex v = vertex_at(mesh, x, 0., 0.);
+    held.push_back(v);
+    const Vector_3 d(0, 0, x / 2.);
+    handles.push_back(
+        Handle::displacing({Handle::Surface_point(v, mesh.point(v) + Vector_3(.5, .2, 0))}, .05, d));
+  }
+  const Points after = deformed(mesh, handles);
+  for(const Vertex v : held)
+    BOOST_TEST(length(after[v] - mesh.point(v) - Vector_3(0, 0, mesh.point(v).x() / 2.)) < 1e-12);
+}
+
 BOOST_AUTO_TEST_CASE(a_rigid_motion_of_all_is_found)
 {
   // three handles turn a surface that they don't hold elsewhere: everything turns, nothing is strained

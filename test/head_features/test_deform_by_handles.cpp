@@ -264,6 +264,22 @@ BOOST_AUTO_TEST_CASE(several_handles)
     BOOST_TEST(std::abs((one[v] - mesh.point(v)).z() / .3 - (g + h - g * h)) < 1e-12);
   }
 
+  // as many points as there are: what 1 - t is of them is too small for a number
+  std::vector<Handle::Surface_point> all;
+  for(const Vertex v : mesh.vertices())
+    if(length(mesh.point(v) - mesh.point(a)) < .3)
+      all.push_back(v);
+  BOOST_REQUIRE(all.size() > 100u);
+  const Points of_many = deformed(mesh, {Handle::displacing(all, .6, da)});
+  for(const Vertex v : mesh.vertices())
+  {
+    const double s = length(mesh.point(v) - mesh.point(a));
+    if(s < .32)
+      BOOST_TEST(length(of_many[v] - mesh.point(v) - da) < 1e-9, "vertex " << v);
+    else
+      BOOST_TEST(length(of_many[v] - mesh.point(v)) <= length(da) * (1. + 1e-12), "vertex " << v);
+  }
+
   // one vertex of two handles goes to the mean
   const Points torn = deformed(mesh, {Handle::displacing({a}, .3, da), Handle::displacing({a}, .1, db)});
   BOOST_TEST(length(torn[a] - mesh.point(a) - (da + db) / 2.) < 1e-15);

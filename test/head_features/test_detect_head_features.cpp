@@ -295,9 +295,12 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
       *std::min_element(mesh.vertices().begin(), mesh.vertices().end(),
                         [&](const auto a, const auto b) { return mesh.point(a).z() < mesh.point(b).z(); });
   mesh.point(v) = Point_3(0, std::nan(""), 0);
-  mesh.add_vertex(Point_3(0, 0, 100)); // and one without faces
+  mesh.add_vertex(Point_3(0, 0, 100)); // and some without faces
+  const Mesh::Vertex_index stranger = mesh.add_vertex(usual_features()[Head_feature::NOSE_TIP].position);
   const Head head = detected(mesh);
   BOOST_REQUIRE(head.is_head);
+  for(const auto& region : head.regions)
+    BOOST_TEST(std::count(region.vertices.begin(), region.vertices.end(), stranger) == 0);
   for(const auto& [feature, truth] : drawn_head::truth())
     BOOST_TEST(distance(head[feature].position, usual_features()[feature].position) < 1e-3);
 }
@@ -336,6 +339,13 @@ BOOST_AUTO_TEST_CASE(the_method_of_the_thesis)
   BOOST_TEST(head[Head_region::RIGHT_EAR].vertices.size() == 150u);
   for(const auto v : head[Head_region::NOSE].vertices)
     BOOST_TEST(mesh.point(v).y() > mesh.point(tip).y());
+
+  // vertices without faces are no features
+  Mesh with_strangers = mesh;
+  with_strangers.add_vertex(Point_3(0, 100, 100));
+  const Head same = SC::detect_head_features<CGAL::Sequential_tag>(with_strangers, np(300, 200, 150));
+  for(std::size_t k = 0; k < SC::number_of_head_features; ++k)
+    BOOST_TEST(same.points[k].position == head.points[k].position);
 
   const double radius = .02;
   const Head sparse =

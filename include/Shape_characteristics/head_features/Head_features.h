@@ -53,17 +53,17 @@ struct Head_features
     double confidence = 0.;                  ///< how sure, in [0, 1]
   };
 
-  /// whether the mesh is a head. If it isn't, nothing is found.
+  /// whether the mesh is a head. If it isn't, nothing is found; nor is it on one whose shape has the pose of a head and no face.
   bool is_head = false;
   /// the same in more detail: what `estimate_head_pose()` says, or what the search for features adds to it
   Head_verdict verdict = Head_verdict::NOT_A_HEAD;
-  /// why the mesh was not taken for a head
+  /// why the mesh was not taken for a head, or why a head has no features
   Head_obstacle obstacle = Head_obstacle::FEW_SAMPLES;
   /// from the mesh to the frame in which the features were found: nose towards +z, top towards +y, in the unit of `Head_pose`
   CGAL::Aff_transformation_3<GeomTraits> transformation =
       CGAL::Aff_transformation_3<GeomTraits>(CGAL::IDENTITY);
   /// the height of the head, from its top to the lower end of the chin, in the unit of the mesh, by the proportions of heads from
-  /// what was found; 0 if the mesh is no head
+  /// what was found; 0 if the mesh is no head, or has no face
   double head_height = 0.;
   /// the feature points, by `Head_feature`
   std::array<Feature_point, number_of_head_features> points;

@@ -32,7 +32,7 @@ constexpr const char* to_string(Head_verdict verdict) noexcept
 /// says why a shape was not taken for a head, or not with certainty
 enum class Head_obstacle : unsigned char
 {
-  NONE,        ///< nothing: the verdict is `HEAD`
+  NONE,        ///< nothing: the verdict is `HEAD`, and what was looked for is there
   FEW_SAMPLES, ///< there are too few points that can be used, or fewer vertices than a head has features
   CANCELLED,   ///< the callback stopped the search
   INSIDE_OUT, ///< it is a head, but its normals point inward: reverse the orientation of the faces, or the normals

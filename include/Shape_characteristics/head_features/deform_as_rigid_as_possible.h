@@ -60,7 +60,8 @@ struct Deform_region
       for(const auto& [vertex, distance] : distances.from(p.vertex, p.position, 3. * radius))
         if(distance / radius < vertices[vertex].distance)
           vertices[vertex] = {k, distance / radius};
-      vertices[p.vertex].distance = (std::min)(vertices[p.vertex].distance, .5); // on coarse meshes
+      if(!vertices[p.vertex].is_controlled()) // on coarse meshes
+        vertices[p.vertex] = {k, .5};
     }
     for(std::size_t f = 0; f < surface.number_of_faces(); ++f)
     {

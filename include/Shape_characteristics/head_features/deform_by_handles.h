@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
@@ -47,18 +48,21 @@ inline std::vector<Deformed_vertex> deform_gaussian(const Face_graph_samples& su
   {
     if(influences[i].empty())
       continue;
-    double rest = 1.; // of all
+    double smallest_rest = 1.,
+           log_of_rest = 0.; // the latter of all: their product may be too small for a number
     for(const Influence& f : influences[i])
-      rest *= f.rest;
+    {
+      smallest_rest = (std::min)(smallest_rest, f.rest);
+      log_of_rest += std::log(f.rest);
+    }
     const Eigen::Vector3d& p = surface.point(i);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double weights = 0.;
     for(const Influence& f : influences[i])
     {
-      if(rest == 0. && f.rest != 0.) // only the points that are here count
-        continue;
-      const double weight = rest == 0. ? 1. : (1. - f.rest) / f.rest;
-      sum += weight * handles.motions[f.motion].offset(p, 1. - rest);
+      // Relative to the largest: if there are points here, with no rest, none but they count.
+      const double weight = (1. - f.rest) * (f.rest == smallest_rest ? 1. : smallest_rest / f.rest);
+      sum += weight * handles.motions[f.motion].offset(p, -std::expm1(log_of_rest));
       weights += weight;
     }
     result.push_back({Face_graph_samples::Index(i), p + sum / weights});

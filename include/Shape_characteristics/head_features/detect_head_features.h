@@ -54,7 +54,8 @@ namespace Shape_characteristics {
   \tparam FaceGraph a model of `FaceListGraph`
   \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
 
-  \param mesh the mesh. All its faces must be triangles. They may all be inside out, but for the thesis's method.
+  \param mesh the mesh. All its faces must be triangles. Where the pose is given or the head is said to be aligned, they may all be inside
+         out, but for the thesis's method; where it is estimated, such a head has the obstacle `INSIDE_OUT`.
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters" among the ones listed below
 
   \cgalNamedParamsBegin
@@ -111,7 +112,7 @@ namespace Shape_characteristics {
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \return the feature points and regions. Vertices with points that aren't finite are left out, with their faces.
+  \return the feature points and regions. Vertices with points that aren't finite are left out, with their faces, and so are those without faces.
 
   \throws std::invalid_argument if a face is not a triangle; if a parameter is out of its range; if the thesis's method lacks a number
           of vertices

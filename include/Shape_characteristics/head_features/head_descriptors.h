@@ -170,8 +170,7 @@ std::size_t head_descriptors(const FaceGraph& mesh, const NamedParameters& np)
         samples.size(),
         [&](const std::size_t i, Face_graph_samples::Workspace& workspace)
         {
-          std::vector<Face_graph_samples::Index> neighbors = samples.neighbors(i, 0, workspace);
-          std::sort(neighbors.begin(), neighbors.end()); // sums have the same bits in any order of the search
+          const std::vector<Face_graph_samples::Index>& neighbors = samples.neighbors(i, 0, workspace);
           for(std::size_t k = 0; k < 4; ++k)
           {
             double sum = mapped[i][k], number = 1.;

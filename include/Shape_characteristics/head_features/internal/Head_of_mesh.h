@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -23,7 +24,8 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// A mesh as the detection sees it: in the frame of the head, without triangles that have corners nowhere.
+// A mesh as the detection sees it: in the frame of the head, without triangles that have corners nowhere. Vertices without triangles
+// are nowhere, too.
 template <typename FaceGraph>
 struct Head_of_mesh
 {
@@ -63,6 +65,13 @@ struct Head_of_mesh
       if(is_finite)
         surface.triangles.push_back(t);
     }
+    std::vector<bool> is_used(surface.points.size());
+    for(const auto& t : surface.triangles)
+      for(const auto v : t)
+        is_used[v] = true;
+    for(std::size_t v = 0; v < is_used.size(); ++v)
+      if(!is_used[v])
+        surface.points[v].setConstant(std::numeric_limits<double>::quiet_NaN());
   }
 
   void transform(const Eigen::Affine3d& motion)
