@@ -367,6 +367,7 @@ BOOST_AUTO_TEST_CASE(bad_input)
   BOOST_CHECK_THROW(align(scene, SC::parameters::number_of_iterations(0)), std::invalid_argument);
   BOOST_CHECK_THROW(align(scene, SC::parameters::number_of_iterations(1.5)), std::invalid_argument);
 
+  BOOST_TEST(align(scene, SC::parameters::number_of_iterations(1)).number_of_iterations == 1u);
   result = align(scene, SC::parameters::number_of_iterations(7));
   BOOST_TEST(!result.has_converged);
   BOOST_TEST(result.number_of_iterations == 7u);

@@ -279,6 +279,10 @@ BOOST_AUTO_TEST_CASE(two_parts)
   const SC::Registration_quality same = SC::assess_registration(t, t, Eigen::Isometry3d::Identity());
   BOOST_TEST(same.agreement == 1.);
   BOOST_TEST(std::abs(same.curvature_correlation - 1.) < 1e-12);
+  const SC::Registration_quality none = SC::assess_registration(
+      s, t, Eigen::Isometry3d(Eigen::Matrix4d::Constant(std::numeric_limits<double>::quiet_NaN())));
+  BOOST_TEST(none.number_of_near_points == 0u);
+  BOOST_TEST(none.expected_agreement == quality.expected_agreement);
 }
 
 BOOST_AUTO_TEST_CASE(units_and_places)
@@ -569,6 +573,38 @@ BOOST_AUTO_TEST_CASE(wrong_parameters)
   BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
   BOOST_TEST(advancement.size() == 1u);
+}
+
+// Whatever is searched for, `false` is the last word, and the advancement never goes back.
+BOOST_AUTO_TEST_CASE(cancelled_at_any_time)
+{
+  const Eigen::Affine3d motion = some_motion() * Eigen::Scaling(10., 10., -10.);
+  const Scan target = left_part(1), source = moved(right_part(2), motion); // mirrored, and in other units
+  std::size_t limit = 0;
+  std::vector<double> advancement;
+  const std::function<bool(double)> callback = [&](const double done)
+  {
+    advancement.push_back(done);
+    return advancement.size() != limit;
+  };
+  const auto search = [&](const std::size_t calls)
+  {
+    limit = calls;
+    advancement.clear();
+    return SC::register_partial_scans<CGAL::Sequential_tag>(source, target, maps.callback(callback), maps);
+  };
+  search(0); // to the end
+  const std::size_t all = advancement.size();
+  BOOST_REQUIRE(all > 5u);
+  BOOST_TEST(std::is_sorted(advancement.begin(), advancement.end()));
+  BOOST_TEST(advancement.back() <= 1.);
+  for(const std::size_t calls : {std::size_t(1), all / 2, all})
+  {
+    const Result result = search(calls);
+    BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));
+    BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::CANCELLED));
+    BOOST_TEST(advancement.size() == calls);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_its_name)

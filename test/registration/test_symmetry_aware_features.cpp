@@ -145,7 +145,11 @@ BOOST_AUTO_TEST_CASE(by_hand)
   BOOST_CHECK_THROW(SC::append_descriptors(features, flux, {std::nan("")}), std::invalid_argument);
   BOOST_CHECK_THROW(SC::multiply_descriptors(features, flux, 1), std::invalid_argument);
   BOOST_CHECK_THROW(SC::signal_factors(1., flux, volumes), std::invalid_argument);
+  BOOST_CHECK_THROW(SC::signal_factors(1., SC::Descriptor_matrix(), volumes), std::invalid_argument);
   BOOST_CHECK_THROW(SC::signal_factors(std::nan(""), flux), std::invalid_argument);
+  SC::Descriptor_matrix short_of_rows = flux;
+  short_of_rows.status.push_back(Estimation_status::ESTIMATED);
+  BOOST_CHECK_THROW(SC::signal_factors(1., short_of_rows), std::invalid_argument);
   BOOST_CHECK_THROW(SC::symmetry_aware_features(Symmetry_aware_variant::FLUX, features, volumes, volumes),
                     std::invalid_argument);
   BOOST_TEST(SC::append_descriptors(SC::Descriptor_matrix(), SC::Descriptor_matrix()).values.rows() == 0);

@@ -26,7 +26,7 @@ namespace Shape_characteristics {
   \param motion the motion of the source
 
   \return the quality; all its numbers but `expected_agreement`, which the scans alone determine, are 0 if they aren't near each
-          other anywhere, and that as well if one has no two different points that can be used
+          other anywhere or the motion isn't finite, and that as well if one has no two different points that can be used
 
   The spacing of a scan is the mean distance of its points to their 6 nearest ones; the larger one of the two is taken. If scans are
   not equally dense, the denser one should be thinned out.

@@ -197,6 +197,7 @@ Rigid_alignment fast_global_registration(const Oriented_points& source,
   constexpr std::int64_t steps_per_mu = 4;
   internal::Graduated_registration registration(pairs);
   registration.move();
+  result.number_of_iterations = 1;
   double mu = 1.;
   for(std::int64_t step = 1; step < limit && !result.has_converged; ++step)
   {

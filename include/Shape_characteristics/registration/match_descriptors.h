@@ -5,6 +5,7 @@
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/internal/Descriptor_matcher.h>
+#include <Shape_characteristics/registration/internal/check_statuses.h>
 
 #include <CGAL/tags.h>
 
@@ -22,8 +23,7 @@ namespace internal {
 
 inline void check_descriptors(const Descriptor_matrix& matrix, const Descriptor_matrix& target)
 {
-  if(matrix.status.size() != std::size_t(matrix.values.rows()))
-    throw std::invalid_argument("Shape_characteristics: a matrix of descriptors needs a status for each row");
+  check_statuses(matrix);
   if(matrix.values.rows() > 0 && target.values.rows() > 0 && matrix.values.cols() != target.values.cols())
     throw std::invalid_argument(
         "Shape_characteristics: descriptors of different dimensions can't be matched");

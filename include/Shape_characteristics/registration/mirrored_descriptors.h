@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/registration/internal/check_statuses.h>
 
 #include <Eigen/Core>
 
@@ -20,7 +21,8 @@ namespace Shape_characteristics {
 
   \param descriptor what the rows were computed with
   \param descriptors the rows
-  \throws std::invalid_argument if the matrix has another number of columns than the descriptor has components
+  \throws std::invalid_argument if the matrix has another number of columns than the descriptor has components, or not a status for
+          each row
 
   Complexity: linear in the size of the matrix.
 */
@@ -29,6 +31,7 @@ Descriptor_matrix mirrored_descriptors(const Descriptor& descriptor, const Descr
 {
   if(std::size_t(descriptors.values.cols()) != descriptor.dimension())
     throw std::invalid_argument("Shape_characteristics: these rows are of another descriptor");
+  internal::check_statuses(descriptors);
   Descriptor_matrix result = descriptors;
   for(std::size_t i = 0; i < descriptors.status.size(); ++i)
     if(is_estimated(descriptors.status[i]))

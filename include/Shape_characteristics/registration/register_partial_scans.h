@@ -139,8 +139,7 @@ Oriented_points oriented_points_of(const Scan& scan, const NamedParameters& np)
 
   \throws std::invalid_argument if a point set has no normal map, or a parameter is out of its range
 
-  Complexity: linear in the number of points of a mesh, \f$ O(n \log n) \f$ in that of a point set; the features and their
-  matches depend on the number of samples alone, of whose square the time of matching is.
+  Complexity: \f$ O(n \log n) \f$ in the number of points; the features and their matches depend on the number of samples alone, of whose square the time of matching is.
 
   \cgalExample{registration/register_scans.cpp}
 */

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/registration/internal/check_statuses.h>
 
 #include <Eigen/Core>
 
@@ -29,7 +30,7 @@ namespace Shape_characteristics {
 
   \return a factor for each column; 0 for a column of zeros or without values
 
-  \throws std::invalid_argument if the weight is not finite or the numbers of columns differ
+  \throws std::invalid_argument if the weight is not finite, the numbers of columns differ, or a matrix has not a status for each row
 
   Complexity: linear in the size of the matrices.
 */
@@ -38,6 +39,12 @@ std::vector<double> signal_factors(double weight, const Descriptor_matrix& first
 {
   if(!std::isfinite(weight))
     throw std::invalid_argument("Shape_characteristics: the weight of signals must be finite");
+  for(const Descriptor_matrix* m : {&first, &rest...})
+  {
+    if(m->values.cols() != first.values.cols())
+      throw std::invalid_argument("Shape_characteristics: signals must have as many columns as others");
+    internal::check_statuses(*m);
+  }
   std::vector<double> factors;
   for(Eigen::Index k = 0; k < first.values.cols(); ++k)
   {
@@ -46,13 +53,9 @@ std::vector<double> signal_factors(double weight, const Descriptor_matrix& first
     const auto for_each_value = [&](const auto& function)
     {
       for(const Descriptor_matrix* m : {&first, &rest...})
-      {
-        if(m->values.cols() != first.values.cols())
-          throw std::invalid_argument("Shape_characteristics: signals must have as many columns as others");
         for(std::size_t i = 0; i < m->status.size(); ++i)
           if(is_estimated(m->status[i]))
             function(double(m->values(Eigen::Index(i), k)));
-      }
     };
     for_each_value([&](const double x) { largest = std::abs(x) > largest ? std::abs(x) : largest; });
     if(largest > 0.)

@@ -38,12 +38,14 @@ public:
   // `step`: of how many points one is looked at
   Registration_quality operator()(const Eigen::Isometry3d& motion, std::size_t step = 1) const
   {
+    Registration_quality quality;
+    quality.expected_agreement = m_expected_agreement;
+    if(!motion.matrix().allFinite()) // as that of a failed alignment
+      return quality;
     Counts counts;
     compare(m_source, m_target, motion, step, counts);
     compare(m_target, m_source, motion.inverse(), step, counts);
-    Registration_quality quality;
     quality.number_of_near_points = counts.near;
-    quality.expected_agreement = m_expected_agreement;
     if(counts.usable > 0)
       quality.overlap = double(counts.near) / double(counts.usable);
     if(counts.near > 0)

@@ -83,43 +83,60 @@ public:
     if(s.size() < s_few || t.size() < s_few)
       return outcome;
 
-    double scale = 1.;
-    outcome = Scan_registrar(centered_source, centered_target, options).run();
-    if(outcome.verdict == Registration_verdict::FAILED &&
-       outcome.obstacle != Registration_obstacle::CANCELLED)
+    // The same object in other units has another size and, by the same factor, other distances of points.
+    const double ratio = radius(centered_source) / radius(centered_target);
+    const bool has_other_size =
+        std::isfinite(ratio) && ratio > 0. && (ratio > s_other_unit || ratio < 1. / s_other_unit);
+    const double searches = has_other_size ? 3. : 2.;
+    double done = 0.; // searches
+    const auto search = [&](const Oriented_points& scan)
     {
-      // The same object in other units has another size and, by the same factor, other distances of points.
-      const double ratio = radius(centered_source) / radius(centered_target);
-      const bool has_other_size =
-          std::isfinite(ratio) && ratio > 0. && (ratio > s_other_unit || ratio < 1. / s_other_unit);
-      if(has_other_size)
+      Registration_options part = options;
+      if(options.callback)
+        part.callback = [&](const double advancement)
+        { return options.callback((done + advancement) / searches); };
+      const Registration_outcome found = Scan_registrar(scan, centered_target, part).run();
+      ++done;
+      return found;
+    };
+
+    double scale = 1.;
+    outcome = search(centered_source);
+    const auto goes_on = [&]
+    {
+      return outcome.verdict == Registration_verdict::FAILED &&
+             outcome.obstacle != Registration_obstacle::CANCELLED &&
+             outcome.obstacle != Registration_obstacle::DIFFERENT_UNITS;
+    };
+    if(goes_on() && has_other_size)
+    {
+      const Registration_outcome other = search(moved(s, source_center, 1. / ratio));
+      if(other.verdict != Registration_verdict::FAILED)
       {
-        const Registration_outcome other =
-            Scan_registrar(moved(s, source_center, 1. / ratio), centered_target, options).run();
-        if(other.verdict != Registration_verdict::FAILED)
-        {
-          outcome = failure(other, Registration_obstacle::DIFFERENT_UNITS);
-          outcome.scale_ratio = ratio;
-          scale = 1. / ratio;
-        }
+        outcome = failure(other, Registration_obstacle::DIFFERENT_UNITS);
+        outcome.scale_ratio = ratio;
+        scale = 1. / ratio;
       }
-      if(outcome.obstacle != Registration_obstacle::DIFFERENT_UNITS)
+      else if(other.obstacle == Registration_obstacle::CANCELLED)
+        outcome.obstacle = Registration_obstacle::CANCELLED;
+    }
+    if(goes_on())
+    {
+      Registration_outcome other = search(mirrored(centered_source));
+      if(other.verdict != Registration_verdict::FAILED)
       {
-        Registration_outcome other =
-            Scan_registrar(mirrored(centered_source), centered_target, options).run();
-        if(other.verdict != Registration_verdict::FAILED)
+        for(Registration_hypothesis& h : other.hypotheses)
         {
-          for(Registration_hypothesis& h : other.hypotheses)
-          {
-            h.motion.linear().col(0) *= -1.;
-            h.is_reflection = true;
-          }
-          outcome = other;
-          outcome.verdict = Registration_verdict::AMBIGUOUS;
-          outcome.obstacle = Registration_obstacle::REFLECTION;
-          outcome.confidence = 0.;
+          h.motion.linear().col(0) *= -1.;
+          h.is_reflection = true;
         }
+        outcome = other;
+        outcome.verdict = Registration_verdict::AMBIGUOUS;
+        outcome.obstacle = Registration_obstacle::REFLECTION;
+        outcome.confidence = 0.;
       }
+      else if(other.obstacle == Registration_obstacle::CANCELLED)
+        outcome.obstacle = Registration_obstacle::CANCELLED;
     }
     for(Registration_hypothesis& h : outcome.hypotheses)
     {
@@ -282,7 +299,10 @@ private:
       try_features(neighbors, uses_mirrored, found, outcome.obstacle);
       done += 1. / double(attempts.size());
       if(m_options.callback && !m_options.callback(done))
+      {
+        outcome.hypotheses = found;
         return failure(outcome, Registration_obstacle::CANCELLED);
+      }
       if(!found.empty() && passes(found[0].quality))
         break;
     }

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/registration/internal/check_statuses.h>
 
 #include <Eigen/Core>
 
@@ -27,8 +28,7 @@ inline Estimation_status combined_status(Estimation_status a, Estimation_status 
 inline void check_combination(const Descriptor_matrix& a, const Descriptor_matrix& b)
 {
   for(const Descriptor_matrix* m : {&a, &b})
-    if(std::size_t(m->values.rows()) != m->status.size())
-      throw std::invalid_argument("Shape_characteristics: a descriptor matrix needs a status per row");
+    check_statuses(*m);
   if(a.status.size() != b.status.size())
     throw std::invalid_argument(
         "Shape_characteristics: descriptors that are combined must have the same number of rows");
