@@ -206,6 +206,18 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
     BOOST_TEST((m.status[81] == Estimation_status::UNREFERENCED));
     BOOST_TEST(number_of(Estimation_status::ESTIMATED, m) + number_of(Estimation_status::BORDER, m) == 80u);
   }
+
+  // areas that are none say nothing of symmetry
+  const Mesh whole = height_field(1., 1., 8, wave);
+  const SC::Face_graph_samples s =
+      SC::sampled_surface<CGAL::Sequential_tag>(whole, SC::Neighborhood::ball(.5));
+  for(const double area : {0., -1., nan})
+  {
+    const SC::Descriptor_matrix m = compute<SC::Symmetry_flux_descriptor<SC::Face_graph_samples> >(
+        s, Flux_method::POINTS, Signal_scaling::UNIT_FREE, std::vector<double>(s.size(), area));
+    BOOST_TEST(is_consistent(m));
+    BOOST_TEST(number_of(Estimation_status::FEW_NEIGHBOURS, m) == s.size());
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -17,6 +17,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(screen_space_curvatures)
@@ -233,6 +234,23 @@ BOOST_AUTO_TEST_CASE(kinds_of_depth_and_projection)
     const char* name;
     Camera camera;
   };
+  // the planes are those of the projection, whatever depths are
+  const double near = usual.near_plane(), far = usual.far_plane();
+  BOOST_TEST(far > near);
+  for(const auto& [matrix, convention, expected_far] :
+      {std::make_tuple(zero_to_one, Convention::WINDOW_DEPTH_ZERO_TO_ONE, far),
+       std::make_tuple(reversed, Convention::WINDOW_DEPTH_ZERO_TO_ONE, far),
+       std::make_tuple(reversed, Convention::EYE_DISTANCE, far),
+       std::make_tuple(infinite, Convention::WINDOW_DEPTH_ZERO_TO_ONE,
+                       std::numeric_limits<double>::infinity()),
+       std::make_tuple(infinite, Convention::EYE_DISTANCE, std::numeric_limits<double>::infinity()),
+       std::make_tuple(usual.projection(), Convention::EYE_DISTANCE, far)})
+  {
+    const Camera camera(usual.view(), matrix, convention);
+    BOOST_TEST(std::abs(camera.near_plane() - near) < 1e-12 * near);
+    BOOST_TEST((camera.far_plane() == expected_far ||
+                std::abs(camera.far_plane() - expected_far) < 1e-12 * expected_far));
+  }
   const std::vector<Case> cases = {
       {"usual", usual},
       {"scaled matrix", Camera(usual.view(), 3. * usual.projection())},

@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -71,7 +72,8 @@ public:
     \param method over what is summed
     \param scaling the unit of the flux
     \param areas with `Flux_method::POINTS`, the areas that the samples stand for, one for each; none if they are alike.
-           Samples whose area is not a positive number don't count.
+           Samples whose area is not a positive number don't count: where hardly any of the neighbors has one, the status is
+           `FEW_NEIGHBOURS`.
     \throws std::invalid_argument if the number of areas is neither 0 nor that of the samples, or if the triangles of a mesh are
             asked for and the surface has none, has forgotten them, or has other faces
   */
@@ -104,7 +106,7 @@ public:
     if(is_estimated(status))
     {
       const auto& neighbors = m_surface.neighbors(i, s_minimum, workspace.m_neighbors);
-      if(neighbors.size() < s_minimum)
+      if(neighbors.size() < s_minimum || !have_areas(neighbors))
         status = Estimation_status::FEW_NEIGHBOURS;
       else if(internal::is_collinear(m_surface, i, neighbors))
         status = Estimation_status::DEGENERATE;
@@ -136,6 +138,17 @@ private:
       return false;
   }
 
+  static bool is_area(double area) { return area > 0. && std::isfinite(area); }
+
+  // whether enough of the samples do, where areas matter
+  template <typename Index>
+  bool have_areas(const std::vector<Index>& samples) const
+  {
+    return m_areas.empty() || m_method != Flux_method::POINTS ||
+           std::size_t(std::count_if(samples.begin(), samples.end(),
+                                     [&](const Index j) { return is_area(m_areas[j]); })) >= s_minimum;
+  }
+
   template <typename Index>
   double flux(std::size_t i, const std::vector<Index>& neighbors, Workspace& workspace) const
   {
@@ -159,8 +172,8 @@ private:
       const double term = ((p - m_surface.point(j)) / radius).cross(n).dot(m_surface.normal(j));
       if(m_areas.empty())
         sum += term;
-      else if(const double area = m_areas[j]; area > 0. && std::isfinite(area))
-        sum += (is_unit_free ? area / radius / radius : area) * term;
+      else if(is_area(m_areas[j]))
+        sum += (is_unit_free ? m_areas[j] / radius / radius : m_areas[j]) * term;
     }
     if(m_areas.empty())
       return is_unit_free ? CGAL_PI / double(neighbors.size()) * sum : .5 * radius * sum;

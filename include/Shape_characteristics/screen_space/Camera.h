@@ -33,7 +33,8 @@ public:
   /// \param view from world to view space: a rotation and a translation
   /// \param projection from view to clip space: perspective or orthographic, also off center, with a finite or
   ///        infinite far plane, with depth that grows or falls with the distance
-  /// \param depth_convention what the depths of pictures of this camera mean
+  /// \param depth_convention what the depths of pictures of this camera mean. With `EYE_DISTANCE`, which doesn't tell from where to
+  ///        where clip space reaches, it is from -1 to 1, but from 0 to 1 where a plane would else be behind the eye.
   ///
   /// \throws std::invalid_argument if `view` scales, shears or mirrors (by more than \f$ 10^{-4} \f$, which matrices of
   ///         single precision keep well), or if `projection` is neither perspective nor orthographic
@@ -64,6 +65,9 @@ public:
                      : p(3, 3) > 0. && p(0, 2) == 0. && p(1, 2) == 0. && p(2, 2) != 0.),
             "Shape_characteristics: the projection matrix of a camera must be perspective or orthographic");
     p /= perspective ? -p(3, 2) : p(3, 3);
+    m_least_depth = depth_convention == Depth_convention::WINDOW_DEPTH_ZERO_TO_ONE ? 0. : -1.;
+    if(depth_convention == Depth_convention::EYE_DISTANCE && perspective && !(near_plane() > 0.))
+      m_least_depth = 0.;
   }
 
   /// a projection that looks like that of an eye, for `WINDOW_DEPTH`.
@@ -194,15 +198,14 @@ private:
   {
     const auto& p = m_projection;
     const double ndc = (-p(2, 2) * distance + p(2, 3)) / (-p(3, 2) * distance + p(3, 3));
-    return m_depth_convention == Depth_convention::WINDOW_DEPTH_ZERO_TO_ONE ? ndc : 0.5 * ndc + 0.5;
+    return (ndc - m_least_depth) / (1. - m_least_depth);
   }
 
   // the distance of what has the window depth `depth`, whatever the convention
   double plane_at(double depth) const
   {
     const auto& p = m_projection;
-    const double ndc =
-        m_depth_convention == Depth_convention::WINDOW_DEPTH_ZERO_TO_ONE ? depth : 2. * depth - 1.;
+    const double ndc = m_least_depth + (1. - m_least_depth) * depth;
     const double denominator = ndc * p(3, 2) - p(2, 2);
     // infinitely far, rather than a sign that rounding decides
     return denominator == 0. ? std::numeric_limits<double>::infinity()
@@ -211,6 +214,7 @@ private:
 
   Eigen::Matrix4d m_view, m_projection;
   Depth_convention m_depth_convention;
+  double m_least_depth = -1.; // of clip space; the largest is 1
 };
 
 } // namespace Shape_characteristics
