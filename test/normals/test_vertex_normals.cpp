@@ -124,6 +124,39 @@ BOOST_AUTO_TEST_CASE(plain_formulas)
   }
 }
 
+// Corners of concave faces turn the other way; what they count doesn't.
+BOOST_AUTO_TEST_CASE(concave_faces)
+{
+  // an L, flat and as the top and the bottom of a prism
+  const std::vector<Vector> corners = {{0., 0., 0.}, {2., 0., 0.}, {2., 1., 0.},
+                                       {1., 1., 0.}, {1., 2., 0.}, {0., 2., 0.}};
+  const std::size_t n = corners.size(), reflex = 3;
+  Polygon_arrays flat, prism;
+  flat.points = prism.points = corners;
+  flat.faces = {{0, 1, 2, 3, 4, 5}};
+  prism.faces = {{5, 4, 3, 2, 1, 0}, {6, 7, 8, 9, 10, 11}};
+  for(std::size_t k = 0; k < n; ++k)
+  {
+    prism.points.push_back(corners[k] + Vector{0., 0., 1.});
+    prism.faces.push_back({k, (k + 1) % n, (k + 1) % n + n, k + n});
+  }
+  for(const double scale : {1., 1e-80}) // there is a shorter way for usual lengths
+    for(const Normal_weighting weighting : all_weightings)
+      BOOST_TEST_CONTEXT("scale " << scale << ", weighting " << int(weighting))
+      {
+        const Answer of_flat = normals_of(build_mesh<Mesh>(scaled(flat, scale)), weighting);
+        for(const Vector& normal : of_flat.normals)
+          BOOST_TEST(length(normal - Vector{0., 0., 1.}) < 1e-15);
+        const Answer of_prism = normals_of(build_mesh<Mesh>(scaled(prism, scale)), weighting);
+        Vector expected = {1., 1., 1.}; // the edges there have the length 1
+        if(weighting == Normal_weighting::ANGLE)
+          expected = {1., 1., 3.};
+        else if(weighting == Normal_weighting::AREA)
+          expected = {1., 1., 3.};
+        BOOST_TEST(length(of_prism.normals[reflex + n] - normalized(expected)) < 1e-14);
+      }
+}
+
 // Max's weights are exact where a vertex and its neighbors lie on a sphere, however irregularly; the others aren't.
 BOOST_AUTO_TEST_CASE(max_is_exact_on_spheres)
 {

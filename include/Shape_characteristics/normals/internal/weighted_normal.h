@@ -53,6 +53,12 @@ inline Rounded_vector doubled_area_vector(const Face_graph_samples& samples, std
   return area;
 }
 
+// Whether the corner of a face with these edges' product turns the other way than the face, as some of a concave polygon do.
+inline bool is_reflex(const Face_graph_samples& samples, std::size_t face, const Eigen::Vector3d& cross)
+{
+  return samples.degree(face) > 3 && cross.dot(doubled_area_vector(samples, face).value) < 0.;
+}
+
 // The same as `weighted_normal()` with Max's weights, without a square root, where it is plain that all the faces at the
 // vertex and their sum are far from rounding errors, and that no product leaves the range of numbers. False elsewhere.
 inline bool plain_max_normal(const Face_graph_samples& samples, std::size_t vertex, Eigen::Vector3d& normal)
@@ -78,7 +84,7 @@ inline bool plain_max_normal(const Face_graph_samples& samples, std::size_t vert
     const double bound = factor * (product + position * (next_square + previous_square));
     if(!(cross.squaredNorm() > bound && product > smallest && product < largest))
       return false;
-    const double weight = 1. / product;
+    const double weight = (is_reflex(samples, *f, cross) ? -1. : 1.) / product;
     sum += weight * cross;
     error += weight * weight * bound;
   }
@@ -116,7 +122,7 @@ weighted_normal(const Face_graph_samples& samples, std::size_t vertex, Normal_we
       // the same bits whichever side the face shows
       const double shorter = (std::min)(next_length, previous_length);
       const double longer = (std::max)(next_length, previous_length);
-      term.value = cross / longer / shorter;
+      term.value = (is_reflex(samples, *f, cross) ? -1. : 1.) * cross / longer / shorter;
       term.error = rounding * (1. + magnitude / longer + magnitude / shorter) / longer / shorter;
       break;
     }
@@ -128,7 +134,11 @@ weighted_normal(const Face_graph_samples& samples, std::size_t vertex, Normal_we
       term = doubled_area_vector(samples, *f);
       double weight = 1. / length(term.value);
       if(weighting == Normal_weighting::ANGLE)
-        weight *= std::atan2(cross.norm(), (to_next / next_length).dot(to_previous / previous_length));
+      {
+        const double angle =
+            std::atan2(cross.norm(), (to_next / next_length).dot(to_previous / previous_length));
+        weight *= is_reflex(samples, *f, cross) ? 2. * CGAL_PI - angle : angle;
+      }
       term.value *= weight;
       term.error *= weight;
     }
