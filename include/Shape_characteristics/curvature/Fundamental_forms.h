@@ -24,7 +24,7 @@ namespace Shape_characteristics {
 
   \tparam GeomTraits a model of `Kernel`, whose number type must have a quiet NaN
 
-  \cgalExample{calculus/parametric_surface.cpp}
+  \cgalExample{curvature/parametric_surface.cpp}
 */
 template <typename GeomTraits>
 class Fundamental_forms

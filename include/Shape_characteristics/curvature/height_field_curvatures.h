@@ -31,7 +31,7 @@ enum class Height_field_normal
   \param huu,huv,hvv the second derivatives
   \param normal the outer side: convex seen from there is positive
 
-  \cgalExample{calculus/height_field.cpp}
+  \cgalExample{curvature/height_field.cpp}
 */
 template <typename GeomTraits>
 Principal_curvatures_and_directions<GeomTraits> height_field_curvatures(const typename GeomTraits::FT& hu,

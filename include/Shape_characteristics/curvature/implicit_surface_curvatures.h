@@ -32,7 +32,7 @@ namespace Shape_characteristics {
   \param gradient the gradient \f$ \nabla F \f$
   \param hessian the symmetric matrix \f$ H \f$ of second derivatives of \f$ F \f$; only its upper triangle is read
 
-  \cgalExample{calculus/implicit_surface.cpp}
+  \cgalExample{curvature/implicit_surface.cpp}
 
   \sa `implicit_surface_mean_curvature()`
   \sa `implicit_surface_Gaussian_curvature()`

@@ -19,7 +19,7 @@ namespace Shape_characteristics {
 
   \tparam Vector_3 the vector type of a model of `Kernel`, whose number type must have a quiet NaN
 
-  \cgalExample{calculus/parametric_surface.cpp}
+  \cgalExample{curvature/parametric_surface.cpp}
 
   \sa `Fundamental_forms`
 */

@@ -1,5 +1,5 @@
-#ifndef SHAPE_CHARACTERISTICS_CURVATURE_SURFACE_CLASS_H
-#define SHAPE_CHARACTERISTICS_CURVATURE_SURFACE_CLASS_H
+#ifndef SHAPE_CHARACTERISTICS_CHARACTERISTICS_SURFACE_CLASS_H
+#define SHAPE_CHARACTERISTICS_CHARACTERISTICS_SURFACE_CLASS_H
 
 #include <CGAL/number_utils.h>
 
@@ -10,7 +10,7 @@
 
 namespace Shape_characteristics {
 
-/// \ingroup PkgShapeCharacteristicsCurvature
+/// \ingroup PkgShapeCharacteristicsCharacteristics
 /// is the class of the shape of a surface at a point, by the signs of its principal curvatures (the thesis's Table 4.1).
 enum class Surface_class : unsigned char
 {
@@ -24,7 +24,7 @@ enum class Surface_class : unsigned char
 };
 
 /*!
-  \ingroup PkgShapeCharacteristicsCurvature
+  \ingroup PkgShapeCharacteristicsCharacteristics
 
   returns the class of the shape of a surface with the given principal curvatures (the thesis's Table 4.1).
 
@@ -77,7 +77,7 @@ auto surface_class(const PrincipalCurvatures& curvatures,
   }
 }
 
-/// \ingroup PkgShapeCharacteristicsCurvature
+/// \ingroup PkgShapeCharacteristicsCharacteristics
 /// returns the name of `c` as it is written in the program, for tables and messages.
 constexpr const char* to_string(Surface_class c) noexcept
 {
@@ -103,4 +103,4 @@ constexpr const char* to_string(Surface_class c) noexcept
 
 } // namespace Shape_characteristics
 
-#endif // SHAPE_CHARACTERISTICS_CURVATURE_SURFACE_CLASS_H
+#endif // SHAPE_CHARACTERISTICS_CHARACTERISTICS_SURFACE_CLASS_H

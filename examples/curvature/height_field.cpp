@@ -1,7 +1,7 @@
 // Curvatures of a hill, its directions, the curvature in any other direction, and the class of its shape.
+#include <Shape_characteristics/characteristics/surface_class.h>
 #include <Shape_characteristics/curvature/height_field_curvatures.h>
 #include <Shape_characteristics/curvature/normal_curvature.h>
-#include <Shape_characteristics/curvature/surface_class.h>
 
 #include <CGAL/Simple_cartesian.h>
 
