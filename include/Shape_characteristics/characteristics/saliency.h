@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/given_or_estimated_curvatures.h>
 #include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/to_number.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
@@ -16,6 +17,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -163,7 +166,9 @@ std::size_t saliency(const FaceGraph& mesh, const NamedParameters& np = paramete
   for(const auto v : vertices(mesh))
   {
     const internal::Saliency_estimate& estimate = estimates[i++];
-    put(map, v, estimate.value);
+    put(map, v,
+        internal::to_number<typename boost::property_traits<std::decay_t<decltype(map)> >::value_type>(
+            estimate.value));
     failures += !is_estimated(estimate.status);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value)
       put(get_parameter(np, internal_np::vertex_status_map), v, estimate.status);
@@ -236,7 +241,9 @@ std::size_t saliency(PointRange&& points, const NamedParameters& np = parameters
   for(auto&& item : points)
   {
     const internal::Saliency_estimate& estimate = estimates[i++];
-    put(map, item, estimate.value);
+    put(map, item,
+        internal::to_number<typename boost::property_traits<std::decay_t<decltype(map)> >::value_type>(
+            estimate.value));
     failures += !is_estimated(estimate.status);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::status_map_t>::value)
       put(get_parameter(np, internal_np::status_map), item, estimate.status);

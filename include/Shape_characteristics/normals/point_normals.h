@@ -6,11 +6,10 @@
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/point_set_parameters.h>
 #include <Shape_characteristics/internal/to_eigen.h>
+#include <Shape_characteristics/internal/write_normals.h>
 #include <Shape_characteristics/normals/Point_normal_method.h>
 #include <Shape_characteristics/normals/internal/estimate_point_normals.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
-
-#include <CGAL/Kernel_traits.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -102,7 +101,6 @@ std::size_t point_normals(PointRange&& points,
   using parameters::is_default_parameter;
   using Range = std::remove_cv_t<std::remove_reference_t<PointRange> >;
   using Vector_3 = typename boost::property_traits<NormalMap>::value_type;
-  using FT = typename CGAL::Kernel_traits<Vector_3>::Kernel::FT;
 
   const Neighborhood neighborhood = internal::point_set_neighborhood(np);
   const Point_normal_method method =
@@ -118,7 +116,7 @@ std::size_t point_normals(PointRange&& points,
   for(auto&& item : points)
   {
     const Eigen::Vector3d& n = estimate.normals[i];
-    put(normals, item, Vector_3(FT(n.x()), FT(n.y()), FT(n.z())));
+    put(normals, item, internal::to_vector<Vector_3>(n));
     if constexpr(!is_default_parameter<NamedParameters, internal_np::status_map_t>::value)
       put(get_parameter(np, internal_np::status_map), item, estimate.status[i]);
     failures += !is_estimated(estimate.status[i]);

@@ -60,6 +60,8 @@ sampled_surface(const FaceGraph& mesh,
                 const NamedParameters& np = parameters::default_values(),
                 Face_graph_samples::Connectivity connectivity = Face_graph_samples::Connectivity::NEIGHBORS)
 {
+  static_assert(internal::number_of_neighborhoods<NamedParameters> <= 1,
+                "give one of number_of_rings and neighbor_radius, not both");
   using Connectivity = Face_graph_samples::Connectivity;
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -106,6 +108,8 @@ Face_graph_samples sampled_surface(typename internal::Vertex_descriptor<FaceGrap
                                    unsigned int reach,
                                    const NamedParameters& np = parameters::default_values())
 {
+  static_assert(internal::number_of_neighborhoods<NamedParameters> <= 1,
+                "give one of number_of_rings and neighbor_radius, not both");
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;

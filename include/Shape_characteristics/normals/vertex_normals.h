@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/length.h>
+#include <Shape_characteristics/internal/write_normals.h>
 #include <Shape_characteristics/normals/Normal_weighting.h>
 #include <Shape_characteristics/normals/internal/weighted_normal.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
@@ -114,7 +115,6 @@ std::size_t vertex_normals(const FaceGraph& mesh,
   using parameters::get_parameter;
   using parameters::is_default_parameter;
   using Vector_3 = typename boost::property_traits<VertexNormalMap>::value_type;
-  using FT = typename CGAL::Kernel_traits<Vector_3>::Kernel::FT;
 
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     CGAL::get_const_property_map(CGAL::vertex_point, mesh));
@@ -134,7 +134,7 @@ std::size_t vertex_normals(const FaceGraph& mesh,
       n.setConstant(std::numeric_limits<double>::quiet_NaN());
       ++failures;
     }
-    put(normals, v, Vector_3(FT(n.x()), FT(n.y()), FT(n.z())));
+    put(normals, v, internal::to_vector<Vector_3>(n));
     if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value)
     {
       const auto status_map = get_parameter(np, internal_np::vertex_status_map);

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/internal/to_eigen.h>
+#include <Shape_characteristics/internal/to_number.h>
 
 #include <CGAL/number_utils.h>
 
@@ -11,7 +12,7 @@ namespace Shape_characteristics {
 
 namespace internal {
 
-// between CGAL's types and the ones of the calculus
+// between CGAL's types and the ones that are computed with
 
 // any matrix type with m(i, j); its symmetric part's upper triangle
 template <typename Matrix>
@@ -24,14 +25,15 @@ Eigen::Matrix3d to_eigen_matrix(const Matrix& m)
   return result;
 }
 
-// The number type must have NaN, which stands for what is undefined.
 template <typename GeomTraits>
 Principal_curvatures_and_directions<GeomTraits> to_principal_curvatures(const Shape_operator_eigen& e)
 {
   using FT = typename GeomTraits::FT;
   using Vector_3 = typename GeomTraits::Vector_3;
-  const auto vector = [](const Eigen::Vector3d& v) { return Vector_3(FT(v.x()), FT(v.y()), FT(v.z())); };
-  return {FT(e.min_curvature), FT(e.max_curvature), vector(e.min_direction), vector(e.max_direction)};
+  const auto vector = [](const Eigen::Vector3d& v)
+  { return Vector_3(to_number<FT>(v.x()), to_number<FT>(v.y()), to_number<FT>(v.z())); };
+  return {to_number<FT>(e.min_curvature), to_number<FT>(e.max_curvature), vector(e.min_direction),
+          vector(e.max_direction)};
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/internal/to_number.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -49,9 +50,11 @@ Value to_principal_curvatures(const Curvature_estimate& estimate)
 {
   using FT = decltype(Value().min_curvature);
   using Vector_3 = decltype(Value().min_direction);
-  const auto vector = [](const Eigen::Vector3d& d) { return Vector_3(FT(d.x()), FT(d.y()), FT(d.z())); };
+  const auto vector = [](const Eigen::Vector3d& d)
+  { return Vector_3(to_number<FT>(d.x()), to_number<FT>(d.y()), to_number<FT>(d.z())); };
   const Shape_operator_eigen& c = estimate.curvatures;
-  return Value(FT(c.min_curvature), FT(c.max_curvature), vector(c.min_direction), vector(c.max_direction));
+  return Value(to_number<FT>(c.min_curvature), to_number<FT>(c.max_curvature), vector(c.min_direction),
+               vector(c.max_direction));
 }
 
 template <typename Map, typename Key>
@@ -63,7 +66,7 @@ void put_curvatures(const Map& map, Key& key, const Curvature_estimate& estimate
 template <typename Map, typename Key>
 void put_number(const Map& map, Key& key, double value)
 {
-  put(map, key, typename boost::property_traits<Map>::value_type(value));
+  put(map, key, to_number<typename boost::property_traits<Map>::value_type>(value));
 }
 
 // Faces of a soup have no neighbors, for each has its own copy of the vertices: says so instead of FEW_NEIGHBOURS.
@@ -186,12 +189,12 @@ Estimation_status write_to_references(const Curvature_estimate& estimate, const 
   if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_mean_curvature_t>::value)
   {
     auto& value = get_parameter_reference(np, internal_np::vertex_mean_curvature);
-    value = std::decay_t<decltype(value)>(estimate.mean());
+    value = to_number<std::decay_t<decltype(value)> >(estimate.mean());
   }
   if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_Gaussian_curvature_t>::value)
   {
     auto& value = get_parameter_reference(np, internal_np::vertex_Gaussian_curvature);
-    value = std::decay_t<decltype(value)>(estimate.Gaussian());
+    value = to_number<std::decay_t<decltype(value)> >(estimate.Gaussian());
   }
   return estimate.status;
 }
