@@ -49,6 +49,9 @@ const Hrbf cubic_exact{[](const auto& np)
 const Hrbf cubic{[](const auto& np) { return np.radial_basis_function(SC::Polyharmonic<3>()); }};
 const Hrbf quintic_exact{[](const auto& np)
                          { return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<5>()); }};
+const Hrbf quintic_definite{[](const auto& np) {
+  return np.normals_are_exact(true).radial_basis_function(SC::Polyharmonic<5>()).polynomial_degree(2);
+}};
 const Hrbf exponential_exact{
     [](const auto& np) { return np.normals_are_exact(true).radial_basis_function(SC::Exponential_cubic()); }};
 const Hrbf exponential_oriented{[](const auto& np)
@@ -215,6 +218,9 @@ BOOST_AUTO_TEST_CASE(formulation_of_the_thesis)
         {{"sphere", 1e-11}, {"cone", .3}, {"plane", 1e-12}});
   check("r^3", cubic, Normals::ESTIMATED, 3., .15, {{"plane", 1e-12}});
   check_most("r^5, exact", quintic_exact, .02, .25, .1);
+  // definite with a polynomial part: right everywhere, but near the tip of the cone
+  check("r^5, exact, with polynomials", quintic_definite, Normals::EXACT, .5, .02,
+        {{"cone", .35}, {"plane", 1e-12}});
   check_most("exp(-er^3), exact", exponential_exact, .1, .4, .1);
   check_most("exp(-er^3), exact, oriented", exponential_oriented, .08, .15, .05);
 }

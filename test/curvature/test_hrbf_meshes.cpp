@@ -325,6 +325,11 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
   for(const double level : {-1., quiet_nan, std::numeric_limits<double>::infinity()})
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, noise_level(level)), std::invalid_argument,
                           says("noise_level"));
+  BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, radial_basis_function(SC::Polyharmonic<1>())),
+                        std::invalid_argument, says("radial_basis_function"));
+  for(const int degree : {-2, 9})
+    BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, polynomial_degree(degree)), std::invalid_argument,
+                          says("polynomial_degree"));
   for(const double distance : {0., -1., 2., quiet_nan})
     BOOST_CHECK_EXCEPTION(SC::hrbf_curvatures(mesh, sampling_distance(distance)), std::invalid_argument,
                           says("sampling_distance"));

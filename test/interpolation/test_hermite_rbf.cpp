@@ -223,6 +223,72 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_and_normals_are_interpolated, Function, Bas
   BOOST_TEST(largest_gradient < 1e-9);
 }
 
+// A polynomial part leaves nothing to radial functions where data are those of a polynomial of its degree: that of a unit sphere is
+// (|x|^2 - 1) / 2, that of a plane its height, which no polynomial but those of the height tell from zero there.
+BOOST_AUTO_TEST_CASE(polynomials_are_reproduced)
+{
+  const double size = 3., center = 2.;
+  const Cloud ball = ellipsoid(60, size, size, size, Point_3(center, 0, 0));
+  const std::vector<Point_3> anywhere = random_points(50, 5, 2. * size);
+  const auto check_ball = [&](const auto& f)
+  {
+    BOOST_REQUIRE(f.is_valid());
+    for(const Point_3& p : anywhere)
+    {
+      const Vector_3 d = p - Point_3(center, 0, 0);
+      BOOST_TEST(std::abs(f(p) - (d.squared_length() / size - size) / 2.) < 1e-9);
+      BOOST_TEST(std::sqrt((f.gradient(p) - d / size).squared_length()) < 1e-9);
+      BOOST_TEST((f.hessian(p) - Eigen::Matrix3d::Identity() / size).norm() < 1e-9);
+    }
+  };
+  check_ball(SC::Hermite_rbf_interpolant(ball.points, ball.normals, SC::Polyharmonic<5>(), 2));
+  check_ball(SC::Hermite_rbf_interpolant(ball.points, ball.normals, SC::Polyharmonic<7>(), 3));
+  check_ball(SC::Hermite_rbf_interpolant(ball.points, ball.normals, SC::Polyharmonic_logarithmic<4>(), 2));
+
+  Cloud plane;
+  for(const Point_3& p : random_points(40, 6, 1.))
+  {
+    plane.points.emplace_back(p.x(), p.y(), 0);
+    plane.normals.emplace_back(0, 0, 1);
+  }
+  const SC::Hermite_rbf_interpolant f(plane.points, plane.normals, SC::Polyharmonic<9>(), 4);
+  BOOST_REQUIRE(f.is_valid());
+  for(const Point_3& p : random_points(20, 7, 1.))
+  {
+    const Point_3 on_plane(p.x(), p.y(), 0);
+    BOOST_TEST(std::abs(f(on_plane)) < 1e-9);
+    BOOST_TEST(std::sqrt((f.gradient(on_plane) - Vector_3(0, 0, 1)).squared_length()) < 1e-9);
+  }
+}
+
+// What isn't a polynomial is interpolated as without a polynomial part, and the weights see none.
+BOOST_AUTO_TEST_CASE(values_and_normals_are_interpolated_with_polynomials)
+{
+  const Cloud cloud = ellipsoid(80, 3, 2, 4, Point_3(1, -2, 3));
+  const auto check = [&](const auto& f, const double tolerance)
+  {
+    BOOST_REQUIRE(f.is_valid());
+    for(std::size_t i = 0; i < cloud.points.size(); ++i)
+    {
+      BOOST_TEST(std::abs(f(cloud.points[i])) < tolerance);
+      BOOST_TEST(std::sqrt((f.gradient(cloud.points[i]) - cloud.normals[i]).squared_length()) < tolerance);
+    }
+  };
+  for(const int degree : {0, 1, 2, 3})
+    BOOST_TEST_CONTEXT("degree " << degree)
+    {
+      check(SC::Hermite_rbf_interpolant(cloud.points, cloud.normals, SC::Polyharmonic<3>(), degree), 1e-9);
+      check(SC::Hermite_rbf_interpolant(cloud.points, cloud.normals, SC::Polyharmonic<7>(), degree), 1e-8);
+    }
+  // three points: 12 equations, for which a polynomial of a higher degree than 1 is too much
+  Cloud few;
+  few.points.assign(cloud.points.begin(), cloud.points.begin() + 3);
+  few.normals.assign(cloud.normals.begin(), cloud.normals.begin() + 3);
+  const SC::Hermite_rbf_interpolant f(few.points, few.normals, SC::Polyharmonic<9>(), 8);
+  const SC::Hermite_rbf_interpolant g(few.points, few.normals, SC::Polyharmonic<9>(), 1);
+  BOOST_TEST(f(CGAL::ORIGIN) == g(CGAL::ORIGIN));
+}
+
 BOOST_AUTO_TEST_CASE(equals_the_plain_solution_anywhere)
 {
   const Point_3 center(5, -1, 2);
@@ -579,6 +645,13 @@ BOOST_AUTO_TEST_CASE(wrong_arguments_throw)
                         std::invalid_argument, says("`basis_function`"));
   BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic_logarithmic<3>()),
                         std::invalid_argument, says("`basis_function`"));
+  BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic<1>()),
+                        std::invalid_argument, says("second derivatives"));
+  BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic_logarithmic<2>()),
+                        std::invalid_argument, says("second derivatives"));
+  for(const int degree : {-2, 9})
+    BOOST_CHECK_EXCEPTION(SC::Hermite_rbf_interpolant(points, normals, SC::Polyharmonic<3>(), degree),
+                          std::invalid_argument, says("`polynomial_degree`"));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

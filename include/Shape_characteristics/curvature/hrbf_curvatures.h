@@ -58,8 +58,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   Where triangles are much longer than wide, as CAD programs make them for cylinders, rings reach farther along them than across.
   There, what the rings hold is fitted after space was compressed along the tangent, until it is at most twice as long as wide (four
   times beside a border), or the normals lean by 45 degrees: a basis function takes all directions alike. Balls, and nearest points,
-  don't know of triangles: where points are dense along lines that are far apart, as those of some scanners are, take a radius that
-  reaches over several lines, or as many neighbors.
+  don't know of triangles: where points are dense along lines that are far apart, as those of some scanners are, the nearest ones are on
+  one line, and the status is `DEGENERATE`; take a radius that reaches over several lines, or as many neighbors.
 
   A function that was fitted at a vertex also serves vertices near it, where the surface bends little, and where normals that
   are said to be exact fit together: see `fits_are_shared`. Which vertices have a fit of their own follows from the order of
@@ -141,6 +141,16 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{1 if the noise level is below 0.0001, else 3}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
+    \cgalParamNEnd
+    \cgalParamNBegin{polynomial_degree}
+      \cgalParamDescription{the degree of a polynomial that is added to the basis functions, whose weights see no polynomial of that
+                            degree then}
+      \cgalParamType{an integer type}
+      \cgalParamDefault{`-1`: none, as in the thesis}
+      \cgalParamExtra{\f$ (t - 1)/2 \f$ makes the system of `Polyharmonic<t>` definite, \f$ t/2 \f$ that of
+                      `Polyharmonic_logarithmic<t>`. Without it, those of \f$ t \geq 5 \f$ are nearly singular for some
+                      neighborhoods, and the curvatures there far off. The degree is lower where there are less than twice as
+                      many equations as monomials. Only with a basis function that isn't positive definite.}
     \cgalParamNEnd
     \cgalParamNBegin{sampling_distance}
       \cgalParamDescription{the minimal distance in the Poisson-disc pattern over which derivatives are averaged (8.1.3)}

@@ -65,7 +65,10 @@ SC_new_parameter(number_of_rings_t, number_of_rings, number_of_rings)
                         SC_new_parameter(number_of_passes_t, number_of_passes, number_of_passes)
                             SC_new_parameter(shape_parameter_box_t, shape_parameter_box, shape_parameter_box)
                                 SC_new_parameter(sampling_distance_t, sampling_distance, sampling_distance)
-                                    SC_new_parameter(fits_are_shared_t, fits_are_shared, fits_are_shared)
+                                    SC_new_parameter(polynomial_degree_t,
+                                                     polynomial_degree,
+                                                     polynomial_degree)
+                                        SC_new_parameter(fits_are_shared_t, fits_are_shared, fits_are_shared)
 
     // other estimators
     SC_new_parameter(number_of_edges_t, number_of_edges, number_of_edges)

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
+#include <Shape_characteristics/interpolation/internal/Polynomial_part.h>
 #include <Shape_characteristics/interpolation/internal/interpolation_data.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -66,20 +67,27 @@ public:
     \param points the points
     \param normals the normals, in the order of the points, of any length: \f$ n_i \f$ are the unit vectors along them
     \param basis_function the basis function
+    \param polynomial_degree the degree of a polynomial that is added to the basis functions, whose weights see no polynomial of that
+           degree then: \f$ (t - 1)/2 \f$ makes the system of `Polyharmonic<t>` definite. -1: none; so it is with a positive
+           definite basis function, whatever is given. Lower where there are less than twice as many equations as monomials.
 
     \tparam PointRange a model of `ConstRange` whose value type is `Point_3`
     \tparam NormalRange a model of `ConstRange` whose value type is `Vector_3`
 
     \throws std::invalid_argument if `points` is empty, `normals` has another size, a coordinate is not finite, a
-    normal is zero, or the basis function is not valid
+    normal is zero, the basis function is not valid, or the degree isn't between -1 and 8
   */
   template <typename PointRange, typename NormalRange>
   Hermite_rbf_interpolant(const PointRange& points,
                           const NormalRange& normals,
-                          const RadialBasisFunction& basis_function = RadialBasisFunction())
+                          const RadialBasisFunction& basis_function = RadialBasisFunction(),
+                          int polynomial_degree = -1)
     : m_basis_function(basis_function)
   {
+    if(polynomial_degree < -1 || polynomial_degree > internal::Polynomial_part::largest_degree)
+      throw std::invalid_argument("Hermite_rbf_interpolant: `polynomial_degree` must be between -1 and 8");
     internal::require_valid_basis_function<RadialBasisFunction>("Hermite_rbf_interpolant");
+    internal::require_basis_function_for_normals<RadialBasisFunction>("Hermite_rbf_interpolant");
     Eigen::Matrix3Xd centers = internal::coordinates_of("Hermite_rbf_interpolant", "points", points);
     const Eigen::Matrix3Xd directions =
         internal::unit_vectors_of("Hermite_rbf_interpolant", "normals", normals);
@@ -96,11 +104,11 @@ public:
         for(double reach = 4.; !m_is_valid && reach >= 1.; reach /= 2.)
         {
           m_basis_function = internal::shape_parameter_of_half_value(basis_function, reach * spacing);
-          solve(centers, directions);
+          solve(centers, directions, polynomial_degree);
         }
         return;
       }
-    solve(centers, directions);
+    solve(centers, directions, polynomial_degree);
   }
 
   /// returns whether the system of equations could be solved. If not, as where two points coincide, each evaluation returns NaN.
@@ -127,9 +135,9 @@ public:
   Matrix hessian(const Point_3& p) const { return jet(p).hessian / m_frame.size(); }
 
 private:
-  void solve(const Eigen::Matrix3Xd& centers, const Eigen::Matrix3Xd& directions)
+  void solve(const Eigen::Matrix3Xd& centers, const Eigen::Matrix3Xd& directions, int polynomial_degree)
   {
-    m_system.clear(m_basis_function, internal::Hermite_trend());
+    m_system.clear(m_basis_function, internal::Hermite_trend(), polynomial_degree);
     const std::array<Eigen::Vector3d, 3> axes{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
                                               Eigen::Vector3d::UnitZ()};
     for(Eigen::Index i = 0; i < centers.cols(); ++i)
@@ -175,7 +183,7 @@ private:
 };
 
 template <typename PointRange, typename NormalRange, typename RadialBasisFunction = Polyharmonic<3>>
-Hermite_rbf_interpolant(const PointRange&, const NormalRange&, const RadialBasisFunction&)
+Hermite_rbf_interpolant(const PointRange&, const NormalRange&, const RadialBasisFunction&, int = -1)
     -> Hermite_rbf_interpolant<internal::Kernel_of_points<PointRange>, RadialBasisFunction>;
 
 template <typename PointRange, typename NormalRange>

@@ -11,6 +11,7 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
 #include <Shape_characteristics/interpolation/internal/bend_by_heights.h>
+#include <Shape_characteristics/interpolation/internal/interpolation_data.h>
 #include <Shape_characteristics/interpolation/internal/trend_of_exact_fit.h>
 
 #include <Eigen/Core>
@@ -58,7 +59,7 @@ struct Local_implicit_surface
   - a positive definite one, with inexact normals: \f$ 4m \f$ equations for values and gradients, solved as a
     Gaussian process whose noise levels are given. The derivatives are taken at the nearest point of the zero set. Where points that
     are hardly noisy are all around the sample and nearly on a polynomial of degree 3, the basis function is fitted to what it leaves.
-  - any other: the thesis's \f$ 4m \f$ equations (3.11), solved by LU. The derivatives are taken at the sample, or with
+  - any other: the thesis's \f$ 4m \f$ equations (3.11), solved by LU, with a polynomial part if one is asked for. The derivatives are taken at the sample, or with
     inexact normals averaged over a Poisson-disc pattern in the tangent plane (8.5, 8.6).
 
   \tparam SampledSurface a model of `SampledSurface`
@@ -80,6 +81,8 @@ public:
     double noise_level = 1e-6;
     /// standard deviation of the components of the unit normals (in the same cases)
     double normal_noise_level = internal::Noisy_fit_attempts::default_normal_noise_level;
+    /// degree of the polynomial part (other basis functions); -1: none
+    int polynomial_degree = -1;
     /// box for `Exponential_cubic`
     Shape_parameter_box box = Shape_parameter_box::AXIS_ALIGNED;
     /// where to average, in units of `pattern_radius`; empty: at the sample alone (other basis functions)
@@ -111,6 +114,8 @@ public:
       throw std::invalid_argument(
           "Shape_characteristics: radial_basis_function: `Polyharmonic<t>` needs an odd, "
           "`Polyharmonic_logarithmic<t>` an even exponent");
+    internal::require_basis_function_for_normals<RadialBasisFunction>(
+        "Shape_characteristics: radial_basis_function");
   }
 
   /// fits the surface at sample `i`
@@ -294,7 +299,8 @@ private:
   bool fit_indefinite(Workspace& workspace, internal::Hermite_jet& jet) const
   {
     const internal::Scaled_neighborhood& neighborhood = workspace.neighborhood;
-    workspace.system.clear(thesis_basis_function(workspace), internal::Hermite_trend());
+    workspace.system.clear(thesis_basis_function(workspace), internal::Hermite_trend(),
+                           m_options.polynomial_degree);
     add_gradients(workspace);
     if(!workspace.system.solve_indefinite())
       return false;

@@ -12,6 +12,7 @@
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
+#include <Shape_characteristics/interpolation/internal/Polynomial_part.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
@@ -79,6 +80,11 @@ public:
     if(passes_are_given)
       check_number_of_passes(passes);
     m_passes = static_cast<std::size_t>(passes);
+    const std::int64_t degree =
+        whole_number(np, internal_np::polynomial_degree, std::int64_t(-1), "polynomial_degree");
+    if(degree < -1 || degree > Polynomial_part::largest_degree)
+      throw std::invalid_argument("Shape_characteristics: polynomial_degree must be between -1 and 8");
+    m_polynomial_degree = static_cast<int>(degree);
     m_sampling_distance = choose_parameter(get_parameter(np, internal_np::sampling_distance), 0.3);
     m_seed = whole_number(np, internal_np::random_seed, std::uint64_t(4), "random_seed");
     m_callback = callback_of(np);
@@ -111,6 +117,7 @@ private:
     typename Fit::Options options;
     options.normals_are_exact = m_normals_are_exact;
     options.box = m_box;
+    options.polynomial_degree = m_polynomial_degree;
     if(!m_normals_are_exact)
     {
       options.pattern = poisson_disc_pattern(m_sampling_distance, m_seed);
@@ -240,6 +247,7 @@ private:
   double m_normal_noise_level;
   std::size_t m_passes; // 0: to be chosen
   bool m_fits_are_shared;
+  int m_polynomial_degree; // -1: no polynomial
   double m_sampling_distance;
   std::uint64_t m_seed;
   std::function<bool(double)> m_callback;

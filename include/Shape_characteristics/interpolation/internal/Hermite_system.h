@@ -2,10 +2,12 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_HERMITE_SYSTEM_H
 
 #include <Shape_characteristics/interpolation/internal/Hermite_trend.h>
+#include <Shape_characteristics/interpolation/internal/Polynomial_part.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <array>
 #include <cmath>
@@ -20,7 +22,7 @@ namespace internal {
 /*
   The function (thesis, equation 3.9, with a trend)
 
-    f(x) = t(x) + sum_j alpha_j phi(|x - p_j|) - beta_j . grad phi(|x - p_j|)
+    f(x) = t(x) + sum_j alpha_j phi(|x - p_j|) - beta_j . grad phi(|x - p_j|) [+ q(x)]
 
   with prescribed values, and prescribed derivatives along some directions, at its centers p_j. One equation for
   each; alpha_j belongs to the value, beta_j is spanned by the directions. With all three directions at each center that
@@ -34,14 +36,21 @@ namespace internal {
     derivative u at i, value at j     A (u.d)
     derivatives u at i, v at j        -A (u.v) - B (u.d) (v.d)
 
+  A basis function that is conditionally definite, of order m, makes the matrix definite for weights that see no polynomial of a
+  degree less than m: these, and a polynomial q of such a degree, are what a polynomial part adds.
+
   An object may be used again and again: it keeps its memory.
 */
 template <typename RadialBasisFunction>
 class Hermite_system
 {
 public:
-  void clear(const RadialBasisFunction& phi, const Hermite_trend& trend)
+  // `polynomial_degree`: of the polynomial part, for solve_indefinite(); negative: there is none
+  void clear(const RadialBasisFunction& phi, const Hermite_trend& trend, int polynomial_degree = -1)
   {
+    if(m_polynomial.degree() != polynomial_degree)
+      m_polynomial = Polynomial_part(polynomial_degree);
+    m_coefficients.setZero(0);
     m_phi = phi;
     // noise levels are meant for phi''(0) = -1
     m_factor = RadialBasisFunction::is_positive_definite ? -1. / phi.radial_derivatives(0.)[1] : 1.;
@@ -102,9 +111,14 @@ public:
     return weights.allFinite();
   }
 
-  // Solves with any phi, by LU with partial pivoting (thesis, 8.1.4). Returns false if the matrix is singular.
+  // Solves with any phi, by LU with partial pivoting (thesis, 8.1.4). Returns false if the matrix is singular. Of a polynomial part,
+  // the equations must be twice as many as its monomials, or it has a lower degree.
   bool solve_indefinite()
   {
+    while(2 * m_polynomial.size() > number_of_equations())
+      m_polynomial = Polynomial_part(m_polynomial.degree() - 1);
+    if(m_polynomial.size() > 0)
+      return solve_with_polynomial();
     const Eigen::Index n = assemble(false);
     Eigen::Map<Eigen::MatrixXd> matrix(m_matrix.data(), n, n);
     Eigen::Ref<Eigen::MatrixXd> in_place(matrix);
@@ -145,10 +159,62 @@ public:
           (alpha * B - C * s) * d * d.transpose() - B * (beta * d.transpose() + d * beta.transpose());
       jet.hessian.diagonal().array() += alpha * A - B * s;
     }
+    if(m_coefficients.size() > 0)
+      m_polynomial.for_each_jet(x,
+                                [&](const std::size_t k, const Hermite_jet& monomial)
+                                {
+                                  const double c = m_coefficients[Eigen::Index(k)];
+                                  jet.value += c * monomial.value;
+                                  jet.gradient += c * monomial.gradient;
+                                  jet.hessian += c * monomial.hessian;
+                                });
     return jet;
   }
 
 private:
+  // The weights are of those that see none of the monomials: in the basis of an orthogonal decomposition of what the data are of
+  // these, the last ones. Monomials that data don't tell from others, as those of the height over a plane, have no part.
+  bool solve_with_polynomial()
+  {
+    constexpr double indistinct = 1e-9;
+    const Eigen::Index n = assemble(false), monomials = Eigen::Index(m_polynomial.size());
+    const Eigen::Map<const Eigen::MatrixXd> matrix(m_matrix.data(), n, n);
+    const Eigen::Map<const Eigen::VectorXd> data(m_data.data(), n);
+    Eigen::MatrixXd of_monomials(n, monomials);
+    for(std::size_t j = 0; j < number_of_centers(); ++j)
+      m_polynomial.for_each_jet(m_points[j],
+                                [&](const std::size_t k, const Hermite_jet& monomial)
+                                {
+                                  const auto column = Eigen::Index(k);
+                                  of_monomials(Eigen::Index(m_first[j]), column) = monomial.value;
+                                  for(std::size_t row = m_first[j] + 1; row < m_first[j + 1]; ++row)
+                                    of_monomials(Eigen::Index(row), column) =
+                                        monomial.gradient.dot(m_directions[row - 1 - j]);
+                                });
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> decomposition(n, monomials);
+    decomposition.setThreshold(indistinct);
+    decomposition.compute(of_monomials);
+    const Eigen::Index rank = decomposition.rank(), rest = n - rank;
+    const auto q = decomposition.householderQ();
+    const Eigen::MatrixXd turned = (q.adjoint() * (matrix * q)).eval();
+    const Eigen::VectorXd turned_data = q.adjoint() * data;
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(turned.bottomRightCorner(rest, rest));
+    if((lu.matrixLU().diagonal().array() == 0.).any())
+      return false;
+    Eigen::VectorXd weights = Eigen::VectorXd::Zero(n);
+    weights.tail(rest) = lu.solve(turned_data.tail(rest));
+    const Eigen::VectorXd left =
+        turned_data.head(rank) - turned.topRightCorner(rank, rest) * weights.tail(rest);
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(monomials);
+    coefficients.head(rank) =
+        decomposition.matrixR().topLeftCorner(rank, rank).template triangularView<Eigen::Upper>().solve(left);
+    m_coefficients = decomposition.colsPermutation() * coefficients;
+    weights = (q * weights).eval();
+    m_weights.assign(weights.data(), weights.data() + n);
+    collect_weights();
+    return weights.allFinite() && m_coefficients.allFinite();
+  }
+
   // fills the lower triangle, or all
   Eigen::Index assemble(bool lower)
   {
@@ -217,6 +283,8 @@ private:
   RadialBasisFunction m_phi;
   double m_factor = 1.;
   Hermite_trend m_trend;
+  Polynomial_part m_polynomial;
+  Eigen::VectorXd m_coefficients; // of its monomials
   std::vector<Eigen::Vector3d> m_points, m_directions, m_beta;
   std::vector<std::size_t> m_first = std::vector<std::size_t>(1, 0); // equation of each center's value
   // Aligned for vector instructions: elsewhere Eigen adds in another order, and rounding would depend on addresses.

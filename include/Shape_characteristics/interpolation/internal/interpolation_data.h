@@ -2,6 +2,8 @@
 #define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_INTERPOLATION_DATA_H
 
 #include <Shape_characteristics/internal/to_eigen.h>
+#include <Shape_characteristics/interpolation/Polyharmonic.h>
+#include <Shape_characteristics/interpolation/Polyharmonic_logarithmic.h>
 
 #include <CGAL/Kernel_traits.h>
 
@@ -32,6 +34,23 @@ constexpr bool is_range_of_v = false;
 template <typename Range, typename T>
 constexpr bool is_range_of_v<Range, T, std::void_t<Range_value<Range>>> =
     std::is_convertible_v<Range_value<Range>, T>;
+
+// Whether a basis function has second derivatives at the origin, without which there are no equations for normals.
+template <typename RadialBasisFunction>
+constexpr bool suits_normals = true;
+template <>
+inline constexpr bool suits_normals<Polyharmonic<1>> = false;
+template <>
+inline constexpr bool suits_normals<Polyharmonic_logarithmic<2>> = false;
+
+template <typename RadialBasisFunction>
+void require_basis_function_for_normals(const char* caller)
+{
+  if(!suits_normals<RadialBasisFunction>)
+    throw std::invalid_argument(std::string(caller) +
+                                ": normals need a basis function with second derivatives at the origin: "
+                                "`Polyharmonic<3>`, `Polyharmonic_logarithmic<4>`, or greater exponents");
+}
 
 template <typename RadialBasisFunction>
 void require_valid_basis_function(const char* caller)
