@@ -154,6 +154,9 @@ struct Bounds
   double largest, direction; // see Errors
 };
 
+// Nothing but the tips of cones may be without an estimate.
+void check_that_tips_alone_fail(const Analytic_surface& s, const Result& result);
+
 // each vertex of each surface, but those nearer than so many edges to the border
 void check_errors(const Run& estimator,
                   double jitter,

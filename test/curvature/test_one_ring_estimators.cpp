@@ -142,14 +142,19 @@ BOOST_AUTO_TEST_CASE(equal_plain_implementations)
     {
       const Result of_theisel = run(theisel, s, Normals::EXACT), of_meyer = run(meyer, s, Normals::EXACT),
                    of_taubin = run(taubin, s, Normals::EXACT);
-      BOOST_TEST(of_theisel.failures + of_meyer.failures + of_taubin.failures == 0u);
+      BOOST_TEST(of_meyer.failures == 0u);
+      check_that_tips_alone_fail(s, of_theisel);
+      check_that_tips_alone_fail(s, of_taubin);
       double largest = 0.;
       for(std::size_t i = 0; i < s.points.size(); i += 7)
       {
-        test_support::raise_to(largest, relative(s, of_theisel.mean[i] - plain_theisel(s, i)));
-        const Eigen::Vector2d k = plain_taubin(s, i);
-        test_support::raise_to(largest, relative(s, of_taubin.curvatures[i].min_curvature - k[0]),
-                               relative(s, of_taubin.curvatures[i].max_curvature - k[1]));
+        if(!s.exact[i].singular)
+        {
+          test_support::raise_to(largest, relative(s, of_theisel.mean[i] - plain_theisel(s, i)));
+          const Eigen::Vector2d k = plain_taubin(s, i);
+          test_support::raise_to(largest, relative(s, of_taubin.curvatures[i].min_curvature - k[0]),
+                                 relative(s, of_taubin.curvatures[i].max_curvature - k[1]));
+        }
         if(s.exact[i].border)
         {
           BOOST_TEST((of_meyer.status[i] == SC::Estimation_status::BORDER));

@@ -60,11 +60,13 @@ BOOST_AUTO_TEST_CASE(equals_the_plain_implementation)
       for(const Analytic_surface& s : test_support::all_analytic_surfaces(jitter, 11))
       {
         const Result result = run(variant, s, Normals::EXACT);
-        BOOST_TEST(result.failures == 0u);
+        check_that_tips_alone_fail(s, result);
         const double unit = 1. / largest_curvature(s);
         double largest = 0.;
         for(std::size_t i = 0; i < s.points.size(); i += 7)
         {
+          if(s.exact[i].singular)
+            continue;
           const Eigen::Vector2d k =
               plain::tangent_space(s, i, variant.number_of_edges, variant.weighting == Face_weighting::AREA);
           test_support::raise_to(largest, unit * std::abs(result.curvatures[i].min_curvature - k[0]),

@@ -47,7 +47,7 @@ public:
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
   {
-    const Estimation_status status = status_from_faces(m_samples, i, workspace.neighbors);
+    const Estimation_status status = status_at_vertex(m_samples, i, workspace.neighbors);
     if(!is_estimated(status))
       return Curvature_estimate(status);
 

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_TRIANGLE_SHAPE_OPERATOR_H
 
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/internal/is_tip.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
@@ -188,6 +189,21 @@ status_from_faces(const Face_graph_samples& samples, std::size_t i, Face_graph_s
   if(end - begin < 2 && samples.neighbors(i, 3, workspace).size() < 3)
     return Estimation_status::FEW_NEIGHBOURS;
   return status;
+}
+
+// The same of estimators that say what is at the vertex itself, and not around it: there is nothing to be said at the tip of a cone.
+inline Estimation_status
+status_at_vertex(const Face_graph_samples& samples, std::size_t i, Face_graph_samples::Workspace& workspace)
+{
+  const Estimation_status status = status_from_faces(samples, i, workspace);
+  if(!is_estimated(status))
+    return status;
+  const std::size_t face = *samples.incident_faces(i).first, corner = samples.corner(face, i);
+  const std::size_t j = samples.vertex(face, corner == 2 ? 0 : corner + 1);
+  return is_beside_tip(samples.normal(i), samples.point(j) - samples.point(i), samples.normal(j)) &&
+                 is_tip(samples, i, samples.neighbors(i, 0, workspace))
+             ? Estimation_status::DEGENERATE
+             : status;
 }
 
 inline void require_triangles(const Face_graph_samples& samples, const std::string& function)

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/is_tip.h>
 
 #include <Eigen/Core>
 
@@ -34,7 +35,7 @@ double size_of_neighborhood(const SampledSurface& surface,
 
 // The estimate `fit(neighbors)` at sample `i`, from at least `minimum` neighbors. Points on a few lines, as at the border of a
 // regular grid, can be too few however many they are: where the fit is degenerate, the neighborhood is enlarged as far as
-// it can be.
+// it can be. At the tip of a cone there is nothing to be estimated.
 template <typename SampledSurface, typename Fit>
 Curvature_estimate fit_to_neighbors(const SampledSurface& surface,
                                     std::size_t i,
@@ -52,6 +53,8 @@ Curvature_estimate fit_to_neighbors(const SampledSurface& surface,
     const std::vector<typename SampledSurface::Index>& neighbors = surface.neighbors(i, minimum, workspace);
     if(neighbors.size() < minimum)
       return estimate;
+    if(is_tip(surface, i, neighbors))
+      return Curvature_estimate(Estimation_status::DEGENERATE);
     estimate = fit(neighbors);
     if(estimate.status != Estimation_status::DEGENERATE)
       return estimate;
