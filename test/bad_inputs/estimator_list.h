@@ -372,6 +372,7 @@ std::vector<Estimator<Input>> estimators()
     }
     {
       Estimator<Input>& e = list.add_curvatures("meyer", meyer, defaults);
+      e.measures_areas = true;
       internal::announce_measured_Gaussian(e);
       e.needs_triangles = true;
       e.accuracy = .45; // it doesn't converge on irregular meshes
@@ -400,12 +401,14 @@ std::vector<Estimator<Input>> estimators()
     { return SC::hildebrandt_polthier_curvatures(std::forward<decltype(a)>(a)...); };
     {
       Estimator<Input>& e = list.add_curvatures("normal_cycle", normal_cycle, defaults);
+      e.measures_areas = true;
       e.resolution = 2.;
       e.needs_triangles = true;
       e.accuracy = .2; // a mean over a ball of two edges
     }
     {
       Estimator<Input>& e = list.add_curvatures("hildebrandt_polthier", hildebrandt_polthier, defaults);
+      e.measures_areas = true;
       e.resolution = 2.;
       e.needs_triangles = true;
       e.accuracy = .1; // and so is this
@@ -414,6 +417,7 @@ std::vector<Estimator<Input>> estimators()
     { return SC::integral_invariant_curvatures(std::forward<decltype(a)>(a)...); };
     {
       Estimator<Input>& e = list.add_curvatures("integral_invariant", integral_invariant, defaults);
+      e.measures_areas = true;
       e.resolution = 2.;
       e.needs_triangles = true;
       e.flips_exactly = false; // the solid on the other side has other roundings

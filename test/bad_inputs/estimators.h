@@ -74,6 +74,8 @@ struct Estimator
   bool has_pattern = false;
   // It smooths as an average over a ball does whose radius is so many mean edges; 1: it doesn't.
   double resolution = 1.;
+  // What it says of a vertex is a mean over an area, which has one at the tip of a cone as well.
+  bool measures_areas = false;
   // There is a bound on curvature times size of the neighborhood, for every input.
   bool is_bounded = true;
   bool needs_triangles = false;

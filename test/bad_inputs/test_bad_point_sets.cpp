@@ -184,6 +184,51 @@ BOOST_AUTO_TEST_CASE(every_row_and_estimator)
       }
 }
 
+// Rows that are much farther apart than their points: the nearest points are on one of them, and tell nothing of the curvature across.
+// It is said so, or farther ones are taken.
+BOOST_AUTO_TEST_CASE(rows_far_apart)
+{
+  Point_set points;
+  std::vector<double> across; // exact curvature
+  for(int row = -5; row <= 5; ++row)
+    for(int k = -100; k <= 100; ++k)
+    {
+      const double angle = .2 * row, z = .01 * k, wave = 1. + .1 * std::cos(2. * z),
+                   slope = -.2 * std::sin(2. * z);
+      Vector_3 normal(std::cos(angle), std::sin(angle), -slope);
+      normal = normal / std::sqrt(normal.squared_length());
+      points.push_back({Point_3(wave * std::cos(angle), wave * std::sin(angle), z), normal});
+      across.push_back(1. / (wave * std::sqrt(1. + slope * slope)));
+    }
+  for(const Point_estimator& estimator : all_estimators)
+    if(estimator.gives_curvatures)
+      BOOST_TEST_CONTEXT(estimator.name)
+      {
+        const Results results = estimator.all(points);
+        BOOST_TEST(complaint(results, points) == "");
+        for(std::size_t i = 0; i < points.size(); ++i)
+          if(std::abs(points[i].point.z()) < .8 &&
+             std::abs(std::atan2(points[i].point.y(), points[i].point.x())) < .7 &&
+             SC::is_estimated(results.samples[i].status))
+            BOOST_TEST(std::abs(results.samples[i].k_max() - across[i]) < .25, "point " << i);
+      }
+}
+
+// The tip of a cone, among points around it.
+BOOST_AUTO_TEST_CASE(cone_with_apex)
+{
+  const Analytic_surface surface = cone(1., 1.5, 12, 12);
+  const Point_set points = points_of(surface);
+  for(const Point_estimator& estimator : all_estimators)
+    BOOST_TEST_CONTEXT(estimator.name)
+    {
+      const Results results = estimator.all(points);
+      for(std::size_t i = 0; i < points.size(); ++i)
+        if(surface.exact[i].singular)
+          BOOST_TEST((results.samples[i].status == S::DEGENERATE));
+    }
+}
+
 namespace {
 
 // as far as an estimator sees on the sheet, whose points are at some 0.16

@@ -448,6 +448,23 @@ BOOST_AUTO_TEST_CASE(moved_profiles)
   BOOST_TEST(on_quadrics(Data(cone, Given::ESTIMATED, 0.)).number == cone.points.size());
 }
 
+// Nor do quadrics say anything that go through the circles of a torus, as they do through any three around an axis, or, as two planes, through
+// two of them.
+BOOST_AUTO_TEST_CASE(points_on_circles)
+{
+  for(const auto& [around, across] : {std::pair(100, 20), std::pair(200, 12)})
+  {
+    const Analytic_surface s = test_support::torus(1., .4, std::size_t(around), std::size_t(across));
+    const Result result = test_support::Numbered_points(s).estimates(
+        [](const auto& numbers, const auto& np)
+        { return SC::adaptive_curvatures<CGAL::Sequential_tag>(numbers, np); });
+    BOOST_TEST(result.failures == 0u);
+    const double largest = errors(s, result, 0.).largest;
+    BOOST_TEST_MESSAGE("torus of " << across << " circles: " << largest);
+    BOOST_TEST(largest < .05);
+  }
+}
+
 // Two planes are a quadric: beside the edge between them, they are flat.
 BOOST_AUTO_TEST_CASE(planes_that_meet)
 {

@@ -2,6 +2,7 @@
 
 #include "Numbered_points.h"
 #include "estimator_checks.h"
+#include "raise_to.h"
 #include "says.h"
 
 #include <Shape_characteristics/curvature/jet_fitting_curvatures.h>
@@ -130,6 +131,24 @@ BOOST_AUTO_TEST_CASE(errors_per_vertex)
 {
   check_errors(Jet_fitting(), 0., Normals::EXACT, 4., {.014, .018});
   check_errors(Jet_fitting(), .2, Normals::EXACT, 4., {.045, .02});
+}
+
+// Beside a border, and on a grid of points, many neighbors are in few rows: more are taken.
+BOOST_AUTO_TEST_CASE(few_rows)
+{
+  const Analytic_surface saddle = test_support::saddle(1., 20);
+  const Result result = run(Default_jet_fitting(), saddle, Normals::EXACT);
+  double largest = 0.;
+  for(std::size_t i = 0; i < saddle.points.size(); ++i)
+    test_support::raise_to(largest, std::abs(result.curvatures[i].min_curvature - saddle.exact[i].k_min),
+                           std::abs(result.curvatures[i].max_curvature - saddle.exact[i].k_max));
+  BOOST_TEST_MESSAGE("saddle, with its border: " << largest);
+  BOOST_TEST(largest < .03);
+  const Analytic_surface torus = test_support::torus(1., .4, 60, 40);
+  const Errors of_points = errors(
+      torus, run_on_points(test_support::Numbered_points(torus), [](const auto& np) { return np; }), 0.);
+  BOOST_TEST_MESSAGE("points of a torus: " << of_points.largest);
+  BOOST_TEST(of_points.largest < .03);
 }
 
 // normals only orient the result

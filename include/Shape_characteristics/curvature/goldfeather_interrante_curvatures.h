@@ -9,6 +9,7 @@
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/are_on_curve.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
@@ -54,7 +55,7 @@ private:
     Vector t1, t2;
     tangent_basis(n, t1, t2);
     const double size = size_of_neighborhood(m_surface, i, neighbors);
-    if(!(size > 0. && std::isfinite(size)))
+    if(!(size > 0. && std::isfinite(size)) || are_on_curve(m_surface, i, neighbors))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
     Cubic_fit_equations equations = equations_of(i, neighbors, t1, t2, size);

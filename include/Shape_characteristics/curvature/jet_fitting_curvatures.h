@@ -27,6 +27,17 @@
 namespace Shape_characteristics {
 namespace internal {
 
+template <typename NamedParameters>
+std::int64_t degree_of_jets(const NamedParameters& np)
+{
+  const std::int64_t degree =
+      whole_number(np, internal_np::degree_fitting, std::int64_t(4), "degree_fitting");
+  // CGAL computes factorials of the degree in unsigned int
+  if(degree < 2 || degree > 12)
+    throw std::invalid_argument("Shape_characteristics: degree_fitting must be from 2 to 12");
+  return degree;
+}
+
 template <typename SampledSurface>
 class Jet_fitting_estimator
 {
@@ -44,12 +55,7 @@ public:
   template <typename NamedParameters>
   Jet_fitting_estimator(const SampledSurface& surface, const NamedParameters& np) : m_surface(surface)
   {
-    const std::int64_t degree =
-        whole_number(np, internal_np::degree_fitting, std::int64_t(4), "degree_fitting");
-    // CGAL computes factorials of the degree in unsigned int
-    if(degree < 2 || degree > 12)
-      throw std::invalid_argument("Shape_characteristics: degree_fitting must be from 2 to 12");
-    m_degree = static_cast<std::size_t>(degree);
+    m_degree = static_cast<std::size_t>(degree_of_jets(np));
   }
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
@@ -102,9 +108,10 @@ private:
     return Curvature_estimate(m_surface.status(i), result);
   }
 
-  // Coefficients then have 5 digits. Points on a curve, which determine no surface, give the reciprocal of the
-  // machine precision.
-  static constexpr double s_largest_condition = 3e10;
+  // As many times as this, what the polynomial leaves of the surface may become; where more would, as beside a border, where points are on
+  // few lines, a larger neighborhood is better. Points on a curve, which determine no surface, give the reciprocal of the machine
+  // precision.
+  static constexpr double s_largest_condition = 1e6;
   // a fitted surface nearly perpendicular to the given one has no outside
   static constexpr double s_smallest_cosine = 0.1;
   // A neighborhood that bends by more than it is wide fits best a plane that is seen from its side: there the surface isn't a
@@ -240,10 +247,10 @@ Estimation_status jet_fitting_curvatures(typename internal::Vertex_descriptor<Fa
     \cgalParamNBegin{number_of_neighbors}
       \cgalParamDescription{the size of the neighborhood: as many nearest points}
       \cgalParamType{`unsigned int`}
-      \cgalParamDefault{`18`}
-      \cgalParamExtra{With fewer than the polynomial needs, every status is `FEW_NEIGHBOURS`. At the border of a grid, the nearest
-                      points lie in few rows: 18 of them often don't determine a polynomial of degree 4, and the status is
-                      `DEGENERATE`; 32 do.}
+      \cgalParamDefault{twice as many as the polynomial has coefficients, and 2, or at least 18: of degree 4, 32}
+      \cgalParamExtra{With fewer than the polynomial needs, every status is `FEW_NEIGHBOURS`. Where points lie in rows, as on a
+                      grid, hardly more than these are all in few rows, and the polynomial between is anything, or the status
+                      `DEGENERATE`.}
     \cgalParamNEnd
     \scRadiusOfPointSetParameter
     \scCallbackParameter
@@ -263,7 +270,9 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
 std::size_t jet_fitting_curvatures(PointRange&& points,
                                    const NamedParameters& np = parameters::default_values())
 {
-  const Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np), np);
+  const std::int64_t degree = internal::degree_of_jets(np);
+  const std::int64_t usual = (std::max)((degree + 1) * (degree + 2) + 2, std::int64_t(18));
+  const Point_set_samples surface = sampled_surface(points, internal::point_set_neighborhood(np, usual), np);
   const internal::Jet_fitting_estimator<Point_set_samples> estimator(surface, np);
   return internal::estimate_points<ConcurrencyTag>(points, surface.size(), estimator, np);
 }

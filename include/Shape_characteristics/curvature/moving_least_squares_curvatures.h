@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/are_on_curve.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
@@ -99,7 +100,10 @@ private:
     const Vector& p = m_surface.point(i);
     const Vector& n = m_surface.normal(i);
     const double size = size_of_neighborhood(m_surface, i, neighbors);
-    if(!(size > 0. && std::isfinite(size)))
+    // the farther half hardly counts
+    const std::vector<Index> nearest(neighbors.begin(),
+                                     neighbors.begin() + std::ptrdiff_t((neighbors.size() + 1) / 2));
+    if(!(size > 0. && std::isfinite(size)) || are_on_curve(m_surface, i, nearest))
       return failure;
     std::vector<Point>& points = workspace.points;
     points.assign(1, {Vector::Zero(), n});

@@ -9,6 +9,7 @@
 #include <Shape_characteristics/curvature/internal/fit_to_neighbors.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
+#include <Shape_characteristics/internal/are_on_curve.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -50,7 +51,7 @@ private:
     const Vector& p = m_surface.point(i);
     const Vector& n = m_surface.normal(i);
     const double size = size_of_neighborhood(m_surface, i, neighbors);
-    if(!(size > 0. && std::isfinite(size)))
+    if(!(size > 0. && std::isfinite(size)) || are_on_curve(m_surface, i, neighbors))
       return failure;
 
     // the direction of the nearest neighbor that isn't seen along the normal
@@ -87,7 +88,9 @@ private:
     if(!(double(neighbors.size()) * s_sum > s_least_square_off_axes * p_sum * r_sum))
       return failure; // on both axes alone, as at a vertex of degree four: the products are rounding errors
     Least_squares_equations<9>::Coefficients c;
-    if(!equations.solve(c, s_smallest_pivot))
+    if(!equations.solve(c, s_smallest_pivot) ||
+       (std::min)({equations.independence(3), equations.independence(4), equations.independence(5)}) <
+           s_least_independence)
       return failure;
 
     const Vector x_1 = t1 + c[1] * n, x_2 = t2 + c[2] * n;
@@ -101,7 +104,9 @@ private:
   static constexpr double s_least_square = 1e-6; // of a sine
   // of the product of both coordinates, relative to the squares of each; about 1 where points are spread evenly
   static constexpr double s_least_square_off_axes = .01;
-  static constexpr double s_smallest_pivot = 1e-3; // else a larger neighborhood is better
+  // else a larger neighborhood is better
+  static constexpr double s_smallest_pivot = 1e-3;
+  static constexpr double s_least_independence = .01; // of the columns of the second derivatives
 
   const SampledSurface& m_surface;
 };

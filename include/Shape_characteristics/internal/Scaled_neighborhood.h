@@ -4,6 +4,8 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/Axis_scaling.h>
 #include <Shape_characteristics/internal/Rounded_distance.h>
+#include <Shape_characteristics/internal/are_on_curve.h>
+#include <Shape_characteristics/internal/is_tip.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 
 #include <Eigen/Core>
@@ -134,6 +136,10 @@ private:
     const auto& neighbors = surface.neighbors(i, desired, workspace);
     if(neighbors.size() < s_minimum)
       return Estimation_status::FEW_NEIGHBOURS;
+    using Kind = decltype(surface.neighborhood().kind());
+    if(is_tip(surface, i, neighbors) ||
+       (surface.neighborhood().kind() != Kind::RINGS && are_on_curve(surface, i, neighbors)))
+      return Estimation_status::DEGENERATE;
 
     // the nearest ones, or some from near to far
     std::size_t number_of_neighbors = (std::min)(neighbors.size(), limit);

@@ -104,9 +104,9 @@ Neighborhood mesh_neighborhood(const NamedParameters& np)
   }
 }
 
-// the neighborhood that named parameters ask for on a point set
+// the neighborhood that named parameters ask for on a point set, or as many nearest points as usual
 template <typename NamedParameters>
-Neighborhood point_set_neighborhood(const NamedParameters& np)
+Neighborhood point_set_neighborhood(const NamedParameters& np, std::int64_t usual = 18)
 {
   using parameters::get_parameter;
   using parameters::is_default_parameter;
@@ -122,8 +122,7 @@ Neighborhood point_set_neighborhood(const NamedParameters& np)
   }
   else
   {
-    const std::int64_t k =
-        whole_number(np, internal_np::number_of_neighbors, std::int64_t(18), "number_of_neighbors");
+    const std::int64_t k = whole_number(np, internal_np::number_of_neighbors, usual, "number_of_neighbors");
     if(k < 1)
       throw std::invalid_argument("Shape_characteristics: number_of_neighbors must be positive");
     return Neighborhood::nearest(static_cast<std::size_t>(k));

@@ -69,19 +69,26 @@ private:
     return result;
   }
 
-  // returns the samples that are to be estimated otherwise
+  // returns the samples that are to be estimated otherwise: not those at the tip of a cone
   std::vector<Index> take_quadrics(Adaptive_estimates& result) const
   {
     std::vector<Index> others;
     Fitted_field quadrics(m_size);
+    std::vector<unsigned char> is_tip(m_size);
     using Quadric = Quadric_through_neighbors<SampledSurface>;
-    for_each_sample<ConcurrencyTag, Quadric>(m_size, [&](const std::size_t i, Quadric& quadric)
-                                             { quadrics[i] = quadric(m_statistics.surface(), i); });
+    for_each_sample<ConcurrencyTag, Quadric>(m_size,
+                                             [&](const std::size_t i, Quadric& quadric)
+                                             {
+                                               quadrics[i] = quadric(m_statistics.surface(), i);
+                                               is_tip[i] = quadric.is_at_tip();
+                                             });
     for(std::size_t i = 0; i < m_size; ++i)
     {
       const Estimation_status status = m_statistics.surface().status(i);
       if(!is_estimated(status))
         result.estimates[i] = Curvature_estimate(status);
+      else if(is_tip[i])
+        result.estimates[i] = Curvature_estimate(Estimation_status::DEGENERATE);
       else if(is_estimated(quadrics[i].status))
         take(quadrics[i], Choice::QUADRIC, i, result);
       else

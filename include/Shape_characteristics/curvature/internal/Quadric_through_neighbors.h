@@ -4,7 +4,11 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/internal/is_tip.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
+
+#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -16,6 +20,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -42,6 +47,7 @@ public:
   // its status isn't that of an estimate if there is no quadric
   Fitted_sample operator()(const SampledSurface& surface, std::size_t i)
   {
+    m_is_at_tip = false;
     Estimation_status status;
     Coefficients quadric;
     std::size_t number_of_neighbors = s_fewest_neighbors - 1;
@@ -50,7 +56,11 @@ public:
       const std::size_t fewer = number_of_neighbors;
       status = m_neighborhood.collect(surface, i, m_workspace, std::size_t(s_most_neighbors), fewer + 1);
       if(!is_estimated(status))
+      {
+        m_is_at_tip = status == Estimation_status::DEGENERATE &&
+                      is_tip(surface, i, surface.neighbors(i, s_fewest_neighbors, m_workspace));
         return Fitted_sample();
+      }
       number_of_neighbors = m_neighborhood.points.size() - 1;
       if(number_of_neighbors <= fewer || !find_quadric(quadric))
         return Fitted_sample();
@@ -63,6 +73,9 @@ public:
     return Fitted_sample(result);
   }
 
+  // whether there is none for the last sample because it is the tip of a cone
+  bool is_at_tip() const { return m_is_at_tip; }
+
 private:
   static constexpr std::size_t s_fewest_neighbors = 12; // a quadric through nine is no surprise
   static constexpr double s_distance = 1e-8;            // how far points may be off the surface
@@ -71,6 +84,7 @@ private:
   static constexpr double s_least_cosine = .8;          // of the angle between the gradient and the normal
   static constexpr double s_zero = 1e-6;                // of coefficients, in units of the largest
   static constexpr std::size_t s_lines = 6;             // that determine a cylinder or a cone
+  static constexpr std::size_t s_rows = 3;              // that determine nothing
   static constexpr double s_between_lines = 1e-4;       // least distance
 
   // the quadric through the points, its gradient at the sample of unit length; whether there is one
@@ -148,7 +162,11 @@ private:
     form.bottomLeftCorner<1, 3>() = quadric.head<3>().transpose();
     const Eigen::JacobiSVD<Eigen::Matrix4d> svd(form, Eigen::ComputeFullV);
     const auto& sizes = svd.singularValues();
-    if(!(sizes[3] < s_zero * sizes[2] && sizes[2] > s_zero * sizes[0])) // neither of both; two planes
+    if(!(sizes[2] > s_zero * sizes[0]))
+      return is_in_face(quadric.head<3>());
+    if(are_in_few_rows())
+      return false;
+    if(!(sizes[3] < s_zero * sizes[2])) // neither of both
       return true;
     const Eigen::Vector3d values =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(hessian, Eigen::EigenvaluesOnly).eigenvalues();
@@ -172,8 +190,56 @@ private:
     return false;
   }
 
+  // Whether all are in few planes beside one another, as samples in rows are that are farther apart than their samples: through any
+  // three circles around an axis there is a quadric, and so there is through the ends of few rows.
+  bool are_in_few_rows() const
+  {
+    const Vector& a = m_neighborhood.points[1];
+    const auto b = std::find_if(m_neighborhood.points.begin() + 2, m_neighborhood.points.end(),
+                                [&](const Vector& p)
+                                { return a.cross(p).norm() > s_between_lines * a.norm() * p.norm(); });
+    if(b == m_neighborhood.points.end())
+      return true;
+    const Vector across = a.cross(*b).normalized();
+    std::array<double, s_rows> rows{}; // that of the sample is the first
+    std::size_t number_of_rows = 1;
+    for(const Vector& p : m_neighborhood.points)
+    {
+      const double place = across.dot(p);
+      if(std::any_of(rows.begin(), rows.begin() + std::ptrdiff_t(number_of_rows),
+                     [&](const double row) { return std::abs(place - row) < s_between_lines; }))
+        continue;
+      if(number_of_rows == s_rows)
+        return false;
+      rows[number_of_rows++] = place;
+    }
+    return true;
+  }
+
+  // Any two rows of samples in planes lie on these: two planes tell of a face of a part if there are neighbors all around in that of
+  // the sample, with the normal `normal`.
+  bool is_in_face(const Vector& normal) const
+  {
+    constexpr double widest_gap = 2. * CGAL_PI / 3.;
+    Vector t1, t2;
+    tangent_basis(normal, t1, t2);
+    std::vector<double> angles;
+    for(std::size_t k = 1; k < m_neighborhood.points.size(); ++k)
+      if(const Vector& p = m_neighborhood.points[k]; std::abs(normal.dot(p)) <= s_distance)
+        angles.push_back(std::atan2(t2.dot(p), t1.dot(p)));
+    if(angles.empty())
+      return false;
+    std::sort(angles.begin(), angles.end());
+    angles.push_back(angles[0] + 2. * CGAL_PI);
+    for(std::size_t k = 1; k < angles.size(); ++k)
+      if(angles[k] - angles[k - 1] > widest_gap)
+        return false;
+    return true;
+  }
+
   typename SampledSurface::Workspace m_workspace;
   Scaled_neighborhood m_neighborhood;
+  bool m_is_at_tip = false;
   Matrix m_matrix;
   Eigen::ColPivHouseholderQR<Matrix> m_qr;
 };

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_SHAPE_OPERATOR_H
 
 #include <Shape_characteristics/internal/Shape_operator_eigen.h>
+#include <Shape_characteristics/internal/determinant.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 
 #include <Eigen/Core>
@@ -15,14 +16,6 @@
 
 namespace Shape_characteristics {
 namespace internal {
-
-// l n - m^2 with an error of 1.5 units in the last place (Kahan), whatever cancels
-inline double determinant(double l, double m, double n) noexcept
-{
-  const double square = m * m;
-  const double error = std::fma(-m, m, square);
-  return std::fma(l, n, -square) + error;
-}
 
 // length without overflow or underflow, at the price of the plain one in the usual range
 inline double safe_norm(const Eigen::Vector3d& v) noexcept

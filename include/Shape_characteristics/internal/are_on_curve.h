@@ -1,9 +1,14 @@
-#ifndef SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ARE_ON_CURVE_H
-#define SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ARE_ON_CURVE_H
+#ifndef SHAPE_CHARACTERISTICS_INTERNAL_ARE_ON_CURVE_H
+#define SHAPE_CHARACTERISTICS_INTERNAL_ARE_ON_CURVE_H
 
-#include <Shape_characteristics/curvature/internal/shape_operator.h>
+#include <Shape_characteristics/internal/determinant.h>
+#include <Shape_characteristics/internal/tangent_basis.h>
 
+#include <Eigen/Core>
+
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -62,7 +67,38 @@ bool are_on_curve(const ForEach& for_each)
   return determinant(p, q, r) < smallest * (p + r) * (p + r);
 }
 
+// the same of a sample of a surface and its neighbors
+template <typename SampledSurface, typename Neighbors>
+bool are_on_curve(const SampledSurface& surface, std::size_t i, const Neighbors& neighbors)
+{
+  constexpr double wide =
+      .02; // of the mean squares along and across, compared to that of their sum; 0.25 all around
+  const Eigen::Vector3d& center = surface.point(i);
+  Eigen::Vector3d t1, t2;
+  tangent_basis(surface.normal(i), t1, t2);
+  double size = 0.;
+  for(const auto j : neighbors)
+    size = (std::max)(size, (surface.point(j) - center).cwiseAbs().maxCoeff());
+  const auto for_each_place = [&](const auto& f)
+  {
+    for(const auto j : neighbors)
+    {
+      const Eigen::Vector3d d = (surface.point(j) - center) / size;
+      f(t1.dot(d), t2.dot(d));
+    }
+  };
+  double p = 0., q = 0., r = 0.;
+  for_each_place(
+      [&](const double x, const double y)
+      {
+        p += x * x;
+        q += x * y;
+        r += y * y;
+      });
+  return determinant(p, q, r) < wide * (p + r) * (p + r) && are_on_curve(for_each_place);
+}
+
 } // namespace internal
 } // namespace Shape_characteristics
 
-#endif // SHAPE_CHARACTERISTICS_CURVATURE_INTERNAL_ARE_ON_CURVE_H
+#endif // SHAPE_CHARACTERISTICS_INTERNAL_ARE_ON_CURVE_H
