@@ -111,6 +111,21 @@ std::function<void(const Task&)> hrbf(Basis basis_function, unsigned int rings)
   };
 }
 
+// Polynomials of the degree that makes the system of the basis function definite.
+template <typename Basis>
+std::function<void(const Task&)>
+hrbf_with_polynomials(Basis basis_function, unsigned int rings, int polynomial_degree)
+{
+  return [=](const Task& t)
+  {
+    SC::hrbf_curvatures(t.mesh, t.parameters()
+                                    .number_of_rings(rings)
+                                    .radial_basis_function(basis_function)
+                                    .polynomial_degree(polynomial_degree)
+                                    .normals_are_exact(t.normals_are_exact));
+  };
+}
+
 std::function<void(const Task&)> hrbf_default(unsigned int rings)
 {
   return [rings](const Task& t)
@@ -311,6 +326,14 @@ const std::vector<Estimator>& estimators()
       {"HRBF r^7", "4 rings", basis("r^7"), hrbf(SC::Polyharmonic<7>(), 4), Cost::HIGH},
       {"HRBF r^9", "4 rings", and_basis(odd_power("HRBF 4"), "r^9"), hrbf(SC::Polyharmonic<9>(), 4),
        Cost::HIGH},
+      {"HRBF r^5, polynomials", "2 rings", odd_power("HRBF 2"),
+       hrbf_with_polynomials(SC::Polyharmonic<5>(), 2, 2)},
+      {"HRBF r^5, polynomials", "4 rings", basis("r^5"), hrbf_with_polynomials(SC::Polyharmonic<5>(), 4, 2),
+       Cost::HIGH},
+      {"HRBF r^7, polynomials", "4 rings", basis("r^7"), hrbf_with_polynomials(SC::Polyharmonic<7>(), 4, 3),
+       Cost::HIGH},
+      {"HRBF r^9, polynomials", "4 rings", and_basis(odd_power("HRBF 4"), "r^9"),
+       hrbf_with_polynomials(SC::Polyharmonic<9>(), 4, 4), Cost::HIGH},
       {"HRBF exp(-r^3)", "2 rings", exponential("HRBF 2"), hrbf(SC::Exponential_cubic(small), 2)},
       {"HRBF exp(-r^3)", "4 rings", exponential("HRBF 4"), hrbf(SC::Exponential_cubic(small), 4), Cost::HIGH},
       {"HRBF exp(-r^3), averaged", "2 rings", exact_level_sets("HRBF 2"),
