@@ -6,6 +6,7 @@
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/are_on_curve.h>
 #include <Shape_characteristics/internal/is_tip.h>
+#include <Shape_characteristics/internal/status_of_few_neighbors.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 
 #include <Eigen/Core>
@@ -135,7 +136,7 @@ private:
       return status;
     const auto& neighbors = surface.neighbors(i, desired, workspace);
     if(neighbors.size() < s_minimum)
-      return Estimation_status::FEW_NEIGHBOURS;
+      return status_of_few_neighbors(surface, i, neighbors.size());
     using Kind = decltype(surface.neighborhood().kind());
     if(is_tip(surface, i, neighbors) ||
        (surface.neighborhood().kind() != Kind::RINGS && are_on_curve(surface, i, neighbors)))

@@ -19,8 +19,9 @@ namespace Shape_characteristics {
   estimates the curvatures of what a picture shows, at each of its pixels, from depths and normals alone (thesis, chapter 7).
 
   The points and normals of a pixel and of its neighbors to the right, above, to the left and below make a fan of up to four triangles. The shape operator is
-  the one that, by least squares, best explains how normals differ along the triangles' edges (7.3 - 7.11, with the errata), in the plane of the fan; the
-  principal curvatures are its eigenvalues. With one triangle this is the thesis's method; with two or four, opposite triangles cancel each
+  the one that, by least squares, best explains how normals differ along the triangles' edges, in the plane of the fan (7.3 - 7.11; the inverse
+  in (7.7) is divided by the determinant, and has \f$ r(p + r) - q^2 \f$ and \f$ p(p + r) - q^2 \f$ at its corners; (7.11) has
+  \f$ u_2 b_3 + v_2 b_5 \f$); the principal curvatures are its eigenvalues. With one triangle this is the thesis's method; with two or four, opposite triangles cancel each
   other's first-order error. (The thesis averages the curvatures of triangles. One system for all of them is as accurate and does not suffer from
   triangles that are seen almost from their side.)
 

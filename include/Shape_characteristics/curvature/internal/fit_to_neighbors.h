@@ -4,6 +4,7 @@
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/is_tip.h>
+#include <Shape_characteristics/internal/status_of_few_neighbors.h>
 
 #include <Eigen/Core>
 
@@ -52,7 +53,11 @@ Curvature_estimate fit_to_neighbors(const SampledSurface& surface,
   {
     const std::vector<typename SampledSurface::Index>& neighbors = surface.neighbors(i, minimum, workspace);
     if(neighbors.size() < minimum)
+    {
+      if(estimate.status == Estimation_status::FEW_NEIGHBOURS)
+        estimate.status = status_of_few_neighbors(surface, i, neighbors.size());
       return estimate;
+    }
     if(is_tip(surface, i, neighbors))
       return Curvature_estimate(Estimation_status::DEGENERATE);
     estimate = fit(neighbors);

@@ -68,7 +68,8 @@ private:
   }
   const Eigen::Vector3d& p(std::size_t v) const { return m_vertices[v]; }
 
-  // The thesis's K_H and S
+  // The thesis's K_H and S, positive where concave. K_H is mapped to [0, 1], though (9.4) and (9.5) look at its sign; (9.3) multiplies it by a
+  // distance, and (9.4) divides by one that may vanish. So it is printed.
   double mean_curvature(std::size_t v) const { return 1. - m_descriptors[v].mean_curvature; }
   double shape_index(std::size_t v) const { return -m_descriptors[v].shape_index; }
 

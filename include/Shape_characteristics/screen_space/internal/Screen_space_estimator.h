@@ -109,7 +109,7 @@ public:
     for(int k = 0; k < number_of_used; ++k)
       add_triangle(neighbors[first[used[k]]], neighbors[second[used[k]]], u, v, sums);
 
-    // the inverse of [p q 0; q p + r q; 0 q r], which is (7.7) with the errata
+    // the inverse of [p q 0; q p + r q; 0 q r], which is (7.7), divided by the determinant
     const float p = sums.p, q = sums.q, r = sums.r, s = sums.s;
     const float inverse = 1.f / ((p + r) * s);
     const float l = inverse * ((r * r + s) * sums.x - q * r * sums.y + q * q * sums.z);

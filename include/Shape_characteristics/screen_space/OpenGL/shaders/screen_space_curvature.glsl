@@ -256,7 +256,7 @@ vec4 sc_curvature(ivec2 pixel)
   if(used.w)
     sc_add_triangle(down, right, u, v, sums);
 
-  // the inverse of [p q 0; q p + r q; 0 q r], which is (7.7) with the errata
+  // the inverse of [p q 0; q p + r q; 0 q r], which is (7.7), divided by the determinant
   float p = sums.p, q = sums.q, r = sums.r, s = sums.s;
   float inverse_determinant = 1 / ((p + r) * s);
   float l = inverse_determinant * ((r * r + s) * sums.x - q * r * sums.y + q * q * sums.z);
