@@ -1,4 +1,5 @@
-// A point set without normals: they are estimated and oriented, improved, and used to estimate curvatures.
+// A point set without normals: they are estimated and oriented, improved, and used to estimate curvatures. In narrow creases, some points
+// have neighbors of both sides, which face each other: they are flagged, and carry NaN.
 #include "../support/data_file.h"
 
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
@@ -9,6 +10,7 @@
 #include <CGAL/Point_set_3/IO/XYZ.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -29,10 +31,14 @@ int main()
   auto normals = points.add_property_map<Kernel::Vector_3>("estimated normals").first;
   const auto mean_angle = [&]
   {
-    double sum = 0;
+    double sum = 0, number = 0;
     for(const Point_set::Index& i : points)
-      sum += CGAL::approximate_angle(get(given, i), normals[i]);
-    return sum / double(points.size());
+      if(!std::isnan(normals[i].x()))
+      {
+        sum += CGAL::approximate_angle(get(given, i), normals[i]);
+        ++number;
+      }
+    return sum / number;
   };
 
   std::size_t failed = SC::point_normals(points, normals);
@@ -44,9 +50,14 @@ int main()
 
   auto H = points.add_property_map<double>("mean_curvature").first;
   failed += SC::hrbf_curvatures(points, SC::parameters::normal_map(normals).mean_curvature_map(H));
-  double sum = 0;
+  double sum = 0, number = 0;
   for(const Point_set::Index& i : points)
-    sum += H[i];
-  std::cout << "mean of H: " << sum / double(points.size()) << '\n';
-  return failed == 0 && angle < 10 && improved_angle < angle && sum > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    if(!std::isnan(H[i]))
+    {
+      sum += H[i];
+      ++number;
+    }
+  std::cout << "mean of H: " << sum / number << ", of " << number << " of " << points.size() << " points\n";
+  return failed < points.size() / 1000 && angle < 10 && improved_angle < angle && sum > 0 ? EXIT_SUCCESS
+                                                                                          : EXIT_FAILURE;
 }

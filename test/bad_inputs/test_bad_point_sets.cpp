@@ -157,7 +157,7 @@ std::vector<Row> rows()
        moved(waves_points,
              [](const Point_3& p) { return p.x() < 0. ? Point_3(1e-3 * p.x(), p.y(), p.z()) : p; }),
        {}},
-      {26, "two sheets", two_sheets, {}},
+      {26, "two sheets", two_sheets, {S::DEGENERATE}},
       {26, "planes that cross", crossing, {}},
   };
 }
