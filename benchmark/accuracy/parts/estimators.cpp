@@ -100,21 +100,7 @@ std::vector<Appearance> basis(const std::string& name)
 }
 
 template <typename Basis>
-std::function<void(const Task&)> hrbf(Basis basis_function, unsigned int rings)
-{
-  return [basis_function, rings](const Task& t)
-  {
-    SC::hrbf_curvatures(t.mesh, t.parameters()
-                                    .number_of_rings(rings)
-                                    .radial_basis_function(basis_function)
-                                    .normals_are_exact(t.normals_are_exact));
-  };
-}
-
-// Polynomials of the degree that makes the system of the basis function definite.
-template <typename Basis>
-std::function<void(const Task&)>
-hrbf_with_polynomials(Basis basis_function, unsigned int rings, int polynomial_degree)
+std::function<void(const Task&)> hrbf(Basis basis_function, unsigned int rings, int polynomial_degree = -1)
 {
   return [=](const Task& t)
   {
@@ -309,6 +295,8 @@ void refitted_by_default(const Mesh& mesh, Normal_map normals)
 
 // A new estimator is a new line here.
 //
+// "Polynomials" are of the degree that makes the system of the basis function definite.
+//
 // The inverse multiquadric of Table 8.7 is fitted as a positive-definite basis, with a shape parameter that follows the
 // neighborhood's size, not as the thesis did. For the one of the cubed distance the thesis tells no shape
 // parameter; 0.3 (in units of the neighborhood's size) comes near to its figures. That of the exponential is a length over a
@@ -326,14 +314,11 @@ const std::vector<Estimator>& estimators()
       {"HRBF r^7", "4 rings", basis("r^7"), hrbf(SC::Polyharmonic<7>(), 4), Cost::HIGH},
       {"HRBF r^9", "4 rings", and_basis(odd_power("HRBF 4"), "r^9"), hrbf(SC::Polyharmonic<9>(), 4),
        Cost::HIGH},
-      {"HRBF r^5, polynomials", "2 rings", odd_power("HRBF 2"),
-       hrbf_with_polynomials(SC::Polyharmonic<5>(), 2, 2)},
-      {"HRBF r^5, polynomials", "4 rings", basis("r^5"), hrbf_with_polynomials(SC::Polyharmonic<5>(), 4, 2),
-       Cost::HIGH},
-      {"HRBF r^7, polynomials", "4 rings", basis("r^7"), hrbf_with_polynomials(SC::Polyharmonic<7>(), 4, 3),
-       Cost::HIGH},
+      {"HRBF r^5, polynomials", "2 rings", odd_power("HRBF 2"), hrbf(SC::Polyharmonic<5>(), 2, 2)},
+      {"HRBF r^5, polynomials", "4 rings", basis("r^5"), hrbf(SC::Polyharmonic<5>(), 4, 2), Cost::HIGH},
+      {"HRBF r^7, polynomials", "4 rings", basis("r^7"), hrbf(SC::Polyharmonic<7>(), 4, 3), Cost::HIGH},
       {"HRBF r^9, polynomials", "4 rings", and_basis(odd_power("HRBF 4"), "r^9"),
-       hrbf_with_polynomials(SC::Polyharmonic<9>(), 4, 4), Cost::HIGH},
+       hrbf(SC::Polyharmonic<9>(), 4, 4), Cost::HIGH},
       {"HRBF exp(-r^3)", "2 rings", exponential("HRBF 2"), hrbf(SC::Exponential_cubic(small), 2)},
       {"HRBF exp(-r^3)", "4 rings", exponential("HRBF 4"), hrbf(SC::Exponential_cubic(small), 4), Cost::HIGH},
       {"HRBF exp(-r^3), averaged", "2 rings", exact_level_sets("HRBF 2"),

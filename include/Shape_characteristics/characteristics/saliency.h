@@ -8,7 +8,7 @@
 #include <Shape_characteristics/curvature/given_or_estimated_curvatures.h>
 #include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
-#include <Shape_characteristics/internal/to_number.h>
+#include <Shape_characteristics/internal/put_number.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
@@ -17,8 +17,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -166,9 +164,7 @@ std::size_t saliency(const FaceGraph& mesh, const NamedParameters& np = paramete
   for(const auto v : vertices(mesh))
   {
     const internal::Saliency_estimate& estimate = estimates[i++];
-    put(map, v,
-        internal::to_number<typename boost::property_traits<std::decay_t<decltype(map)> >::value_type>(
-            estimate.value));
+    internal::put_number(map, v, estimate.value);
     failures += !is_estimated(estimate.status);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::vertex_status_map_t>::value)
       put(get_parameter(np, internal_np::vertex_status_map), v, estimate.status);
@@ -241,9 +237,7 @@ std::size_t saliency(PointRange&& points, const NamedParameters& np = parameters
   for(auto&& item : points)
   {
     const internal::Saliency_estimate& estimate = estimates[i++];
-    put(map, item,
-        internal::to_number<typename boost::property_traits<std::decay_t<decltype(map)> >::value_type>(
-            estimate.value));
+    internal::put_number(map, item, estimate.value);
     failures += !is_estimated(estimate.status);
     if constexpr(!is_default_parameter<NamedParameters, internal_np::status_map_t>::value)
       put(get_parameter(np, internal_np::status_map), item, estimate.status);

@@ -5,8 +5,7 @@
 #include <Shape_characteristics/internal/Axis_scaling.h>
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/are_on_curve.h>
-#include <Shape_characteristics/internal/has_opposite_sheet.h>
-#include <Shape_characteristics/internal/is_tip.h>
+#include <Shape_characteristics/internal/has_no_curvature.h>
 #include <Shape_characteristics/internal/status_of_few_neighbors.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 
@@ -139,9 +138,8 @@ private:
     if(neighbors.size() < s_minimum)
       return status_of_few_neighbors(surface, i, neighbors.size());
     using Kind = decltype(surface.neighborhood().kind());
-    if(is_tip(surface, i, neighbors) ||
-       (surface.neighborhood().kind() != Kind::RINGS &&
-        (are_on_curve(surface, i, neighbors) || has_opposite_sheet(surface, i, neighbors))))
+    if(has_no_curvature(surface, i, neighbors) ||
+       (surface.neighborhood().kind() != Kind::RINGS && are_on_curve(surface, i, neighbors)))
       return Estimation_status::DEGENERATE;
 
     // the nearest ones, or some from near to far

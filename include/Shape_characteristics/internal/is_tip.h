@@ -1,10 +1,9 @@
 #ifndef SHAPE_CHARACTERISTICS_INTERNAL_IS_TIP_H
 #define SHAPE_CHARACTERISTICS_INTERNAL_IS_TIP_H
 
+#include <Shape_characteristics/internal/leave_wide_gap.h>
 #include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
-
-#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 
@@ -30,28 +29,27 @@ inline bool is_beside_tip(const Eigen::Vector3d& normal,
 }
 
 /*
-  Whether a sample is the tip of a cone: its neighbors, of which `number` are given from near to far, fall away from its tangent plane on
-  all sides, and yet it lies in theirs, while they turn little from one to the next around it. (On a smooth surface it is as far from their
-  planes as they are from its own, however coarsely it is sampled; around the corner of a cube, or the tip of a pyramid, they turn at
-  the edges.) Farther neighbors may be beyond the end of the cone.
+  Whether a sample is the tip of a cone: its neighbors, which come from near to far, fall away from its tangent plane on all sides, and yet
+  it lies in theirs, while they turn little from one to the next around it. (On a smooth surface it is as far from their planes as they are
+  from its own, however coarsely it is sampled; around the corner of a cube, or the tip of a pyramid, they turn at the edges.) Farther
+  neighbors may be beyond the end of the cone.
 */
-template <typename Displacement, typename Normal>
-bool is_tip(const Eigen::Vector3d& normal,
-            std::size_t number,
-            const Displacement& displacement,
-            const Normal& normal_of_neighbor)
+template <typename SampledSurface, typename Neighbors>
+bool is_tip(const SampledSurface& surface, std::size_t i, const Neighbors& neighbors)
 {
   constexpr double least_cosine = .87; // of a neighbor's normal with that of the next
-  constexpr double widest_gap = 2. * CGAL_PI / 3.;
   constexpr std::size_t fewest = 5;
 
+  const Eigen::Vector3d& normal = surface.normal(i);
+  const auto displacement = [&](const std::size_t k)
+  { return Eigen::Vector3d(surface.point(neighbors[k]) - surface.point(i)); };
   std::size_t size = 0;
   double side = 0.;
-  for(; size < number; ++size)
+  for(; size < neighbors.size(); ++size)
   {
     const Eigen::Vector3d d = displacement(size);
     const double fall = normal.dot(d);
-    if(!is_beside_tip(normal, d, normal_of_neighbor(size)) || (size > 0 && (fall < 0.) != (side < 0.)))
+    if(!is_beside_tip(normal, d, surface.normal(neighbors[size])) || (size > 0 && (fall < 0.) != (side < 0.)))
       break;
     side = fall;
   }
@@ -64,28 +62,18 @@ bool is_tip(const Eigen::Vector3d& normal,
   for(std::size_t k = 0; k < size; ++k)
   {
     const Eigen::Vector3d d = displacement(k);
-    around.emplace_back(std::atan2(t2.dot(d), t1.dot(d)), k);
+    around.emplace_back(std::atan2(t2.dot(d), t1.dot(d)), neighbors[k]);
   }
   std::sort(around.begin(), around.end());
+  if(leave_wide_gap(size, [&](const std::size_t k) { return around[k].first; }))
+    return false;
   for(std::size_t k = 0; k < size; ++k)
   {
-    const auto& [angle, neighbor] = around[k];
-    const auto& [next_angle, next] = around[k + 1 < size ? k + 1 : 0];
-    const double gap = next_angle - angle + (k + 1 < size ? 0. : 2. * CGAL_PI);
-    if(!(normal_of_neighbor(neighbor).dot(normal_of_neighbor(next)) >= least_cosine) || gap > widest_gap)
+    const std::size_t next = around[k + 1 < size ? k + 1 : 0].second;
+    if(!(surface.normal(around[k].second).dot(surface.normal(next)) >= least_cosine))
       return false;
   }
   return true;
-}
-
-// the same of a sample of a surface and those of its neighbors
-template <typename SampledSurface, typename Neighbors>
-bool is_tip(const SampledSurface& surface, std::size_t i, const Neighbors& neighbors)
-{
-  return is_tip(
-      surface.normal(i), neighbors.size(),
-      [&](const std::size_t k) { return Eigen::Vector3d(surface.point(neighbors[k]) - surface.point(i)); },
-      [&](const std::size_t k) -> const Eigen::Vector3d& { return surface.normal(neighbors[k]); });
 }
 
 } // namespace internal

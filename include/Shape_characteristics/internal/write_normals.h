@@ -3,9 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
-#include <Shape_characteristics/internal/to_number.h>
-
-#include <CGAL/Kernel_traits.h>
+#include <Shape_characteristics/internal/to_vector.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -23,13 +21,6 @@ struct Normal_estimate
   Estimation_status status = Estimation_status::CANCELLED;
   Eigen::Vector3d normal = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 };
-
-template <typename Vector_3>
-Vector_3 to_vector(const Eigen::Vector3d& v)
-{
-  using FT = typename CGAL::Kernel_traits<Vector_3>::Kernel::FT;
-  return Vector_3(to_number<FT>(v.x()), to_number<FT>(v.y()), to_number<FT>(v.z()));
-}
 
 // Writes the estimates of all vertices of a mesh to the map, and their statuses to that of the named parameters. Returns the
 // number of those without one.

@@ -6,7 +6,7 @@
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/point_set_parameters.h>
 #include <Shape_characteristics/internal/to_eigen.h>
-#include <Shape_characteristics/internal/write_normals.h>
+#include <Shape_characteristics/internal/to_vector.h>
 #include <Shape_characteristics/normals/Point_normal_method.h>
 #include <Shape_characteristics/normals/internal/estimate_point_normals.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>

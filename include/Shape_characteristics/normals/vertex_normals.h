@@ -4,7 +4,7 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
 #include <Shape_characteristics/internal/length.h>
-#include <Shape_characteristics/internal/write_normals.h>
+#include <Shape_characteristics/internal/to_vector.h>
 #include <Shape_characteristics/normals/Normal_weighting.h>
 #include <Shape_characteristics/normals/internal/weighted_normal.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>

@@ -5,10 +5,9 @@
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/internal/is_tip.h>
+#include <Shape_characteristics/internal/leave_wide_gap.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
-
-#include <CGAL/number_type_config.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -220,21 +219,14 @@ private:
   // the sample, with the normal `normal`.
   bool is_in_face(const Vector& normal) const
   {
-    constexpr double widest_gap = 2. * CGAL_PI / 3.;
     Vector t1, t2;
     tangent_basis(normal, t1, t2);
     std::vector<double> angles;
     for(std::size_t k = 1; k < m_neighborhood.points.size(); ++k)
       if(const Vector& p = m_neighborhood.points[k]; std::abs(normal.dot(p)) <= s_distance)
         angles.push_back(std::atan2(t2.dot(p), t1.dot(p)));
-    if(angles.empty())
-      return false;
     std::sort(angles.begin(), angles.end());
-    angles.push_back(angles[0] + 2. * CGAL_PI);
-    for(std::size_t k = 1; k < angles.size(); ++k)
-      if(angles[k] - angles[k - 1] > widest_gap)
-        return false;
-    return true;
+    return !angles.empty() && !leave_wide_gap(angles.size(), [&](const std::size_t k) { return angles[k]; });
   }
 
   typename SampledSurface::Workspace m_workspace;

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/internal/to_eigen.h>
 #include <Shape_characteristics/internal/to_number.h>
+#include <Shape_characteristics/internal/to_vector.h>
 
 #include <CGAL/number_utils.h>
 
@@ -30,10 +31,8 @@ Principal_curvatures_and_directions<GeomTraits> to_principal_curvatures(const Sh
 {
   using FT = typename GeomTraits::FT;
   using Vector_3 = typename GeomTraits::Vector_3;
-  const auto vector = [](const Eigen::Vector3d& v)
-  { return Vector_3(to_number<FT>(v.x()), to_number<FT>(v.y()), to_number<FT>(v.z())); };
-  return {to_number<FT>(e.min_curvature), to_number<FT>(e.max_curvature), vector(e.min_direction),
-          vector(e.max_direction)};
+  return {to_number<FT>(e.min_curvature), to_number<FT>(e.max_curvature),
+          to_vector<Vector_3>(e.min_direction), to_vector<Vector_3>(e.max_direction)};
 }
 
 } // namespace internal

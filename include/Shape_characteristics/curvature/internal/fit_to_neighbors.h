@@ -3,8 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
-#include <Shape_characteristics/internal/has_opposite_sheet.h>
-#include <Shape_characteristics/internal/is_tip.h>
+#include <Shape_characteristics/internal/has_no_curvature.h>
 #include <Shape_characteristics/internal/status_of_few_neighbors.h>
 
 #include <Eigen/Core>
@@ -37,8 +36,7 @@ double size_of_neighborhood(const SampledSurface& surface,
 
 // The estimate `fit(neighbors)` at sample `i`, from at least `minimum` neighbors. Points on a few lines, as at the border of a
 // regular grid, can be too few however many they are: where the fit is degenerate, the neighborhood is enlarged as far as
-// it can be. At the tip of a cone, or between sheets that face each other, there is nothing
-// to be estimated.
+// it can be.
 template <typename SampledSurface, typename Fit>
 Curvature_estimate fit_to_neighbors(const SampledSurface& surface,
                                     std::size_t i,
@@ -60,9 +58,7 @@ Curvature_estimate fit_to_neighbors(const SampledSurface& surface,
         estimate.status = status_of_few_neighbors(surface, i, neighbors.size());
       return estimate;
     }
-    using Kind = decltype(surface.neighborhood().kind());
-    if(is_tip(surface, i, neighbors) ||
-       (surface.neighborhood().kind() != Kind::RINGS && has_opposite_sheet(surface, i, neighbors)))
+    if(has_no_curvature(surface, i, neighbors))
       return Curvature_estimate(Estimation_status::DEGENERATE);
     estimate = fit(neighbors);
     if(estimate.status != Estimation_status::DEGENERATE)

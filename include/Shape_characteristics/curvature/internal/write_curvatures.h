@@ -5,7 +5,9 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/internal/lexicographically_smaller.h>
+#include <Shape_characteristics/internal/put_number.h>
 #include <Shape_characteristics/internal/to_number.h>
+#include <Shape_characteristics/internal/to_vector.h>
 #include <Shape_characteristics/sampling/Face_graph_samples.h>
 
 #include <CGAL/Kernel_traits.h>
@@ -50,23 +52,15 @@ Value to_principal_curvatures(const Curvature_estimate& estimate)
 {
   using FT = decltype(Value().min_curvature);
   using Vector_3 = decltype(Value().min_direction);
-  const auto vector = [](const Eigen::Vector3d& d)
-  { return Vector_3(to_number<FT>(d.x()), to_number<FT>(d.y()), to_number<FT>(d.z())); };
   const Shape_operator_eigen& c = estimate.curvatures;
-  return Value(to_number<FT>(c.min_curvature), to_number<FT>(c.max_curvature), vector(c.min_direction),
-               vector(c.max_direction));
+  return Value(to_number<FT>(c.min_curvature), to_number<FT>(c.max_curvature),
+               to_vector<Vector_3>(c.min_direction), to_vector<Vector_3>(c.max_direction));
 }
 
 template <typename Map, typename Key>
 void put_curvatures(const Map& map, Key& key, const Curvature_estimate& estimate)
 {
   put(map, key, to_principal_curvatures<typename boost::property_traits<Map>::value_type>(estimate));
-}
-
-template <typename Map, typename Key>
-void put_number(const Map& map, Key& key, double value)
-{
-  put(map, key, to_number<typename boost::property_traits<Map>::value_type>(value));
 }
 
 // Faces of a soup have no neighbors, for each has its own copy of the vertices: says so instead of FEW_NEIGHBOURS.
