@@ -15,7 +15,7 @@ namespace Shape_characteristics {
 
   Every estimator answers for every sample. A sample whose status is neither `ESTIMATED` nor `BORDER` carries
   quiet NaN in each of its values, and is counted in what the estimator returns; its neighbors are not
-  affected by it.
+  affected by it. (Of a picture, the background isn't counted.)
 */
 enum class Estimation_status : unsigned char
 {
@@ -24,7 +24,7 @@ enum class Estimation_status : unsigned char
   FEW_NEIGHBOURS, ///< the neighborhood has too few samples to determine the quantity
   DEGENERATE, ///< the neighborhood doesn't determine the quantity: coincident or collinear points, a fit that failed
   NON_FINITE_INPUT, ///< the point or the normal of the sample is infinite, NaN, or a zero normal
-  UNREFERENCED,     ///< no face is incident to the vertex
+  UNREFERENCED,     ///< no face is incident to the vertex; of a pixel: it shows no surface
   /// too few neighbors, and another vertex at the very same point: the mesh is a soup of faces, see
   /// `CGAL::Polygon_mesh_processing::stitch_borders()`. Told of whole meshes; an estimate of one vertex says `FEW_NEIGHBOURS`
   DUPLICATE,

@@ -436,8 +436,13 @@ BOOST_AUTO_TEST_CASE(light_from_curvature_of_a_picture)
   const SC::Hattori_ambient_occlusion Hattori(.4);
   BOOST_TEST(SC::ambient_occlusion(
                  g_buffer, into(light).number_of_triangles(2).ambient_occlusion_mapping(Hattori)) == 0u);
+  std::vector<SC::Estimation_status> statuses(light.size(), SC::Estimation_status::CANCELLED);
   SC::ambient_occlusion<CGAL::Sequential_tag>(
-      g_buffer, into(in_turn).number_of_triangles(2).ambient_occlusion_mapping(Hattori));
+      g_buffer, into(in_turn).number_of_triangles(2).ambient_occlusion_mapping(Hattori).status_map(
+                    CGAL::make_property_map(statuses)));
+  for(std::size_t i = 0; i < light.size(); ++i)
+    BOOST_TEST(
+        (i % 48 >= 44 ? statuses[i] == SC::Estimation_status::UNREFERENCED : SC::is_estimated(statuses[i])));
   check(Hattori);
   SC::ambient_occlusion(g_buffer, into(light).number_of_triangles(2));
   SC::ambient_occlusion<CGAL::Sequential_tag>(g_buffer, into(in_turn).number_of_triangles(2));

@@ -61,9 +61,8 @@ struct Curvatures
     values[4 * 6] = values[4 * 6 + 1] = 0;
     glGenTextures(1, &name);
     glBindTexture(GL_TEXTURE_2D, name);
-    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, width, height);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_FLOAT, values.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    // with the filters that textures have by default, and that need more levels
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, values.data());
   }
   ~Curvatures() { glDeleteTextures(1, &name); }
 };
@@ -129,6 +128,8 @@ BOOST_AUTO_TEST_CASE(sizes_change_and_may_be_zero)
   BOOST_TEST(pass(curvatures.name, width, 0, mapping) == 0u);
   BOOST_CHECK_THROW(pass(curvatures.name, -1, height, mapping), std::invalid_argument);
   BOOST_CHECK_THROW(pass(curvatures.name, width, -1, mapping), std::invalid_argument);
+  BOOST_CHECK_THROW(pass(curvatures.name, width + 1, height, mapping), std::invalid_argument);
+  BOOST_CHECK_THROW(pass(0, width, height, mapping), std::invalid_argument);
   pass(curvatures.name, 5, 3, mapping);
   const std::vector<float> light = read(pass(curvatures.name, width, height, mapping));
   BOOST_TEST(light[6] == 1);

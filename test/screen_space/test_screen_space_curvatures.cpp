@@ -429,6 +429,35 @@ BOOST_AUTO_TEST_CASE(normal_mapped_plane)
   BOOST_TEST(quantile(errors, 1.) < 1e-3);
 }
 
+// Where the normals of a normal map, or of a coarse mesh, lean away from points that are seen from the side, the points tell what
+// belongs together.
+BOOST_AUTO_TEST_CASE(leaning_normals_seen_from_the_side)
+{
+  for(const double elevation : {15., 20., 40.})
+  {
+    const double angle = elevation * CGAL_PI / 180.;
+    const Camera camera(
+        Camera::look_at({0., -3. * std::cos(angle), 3. * std::sin(angle)}, {0., 0., 0.}, {0., 0., 1.}),
+        Camera::perspective(.3, 1., .5, 20.));
+    Picture picture = Picture(200, 200, camera).add(Plane());
+    for(const double tilt : {.3, .6})
+      for(const double towards : {1., -1.})
+      {
+        for(std::size_t i = 0; i < picture.size(); ++i)
+        {
+          picture.normals[3 * i] = float(std::sin(tilt) / 2.);
+          picture.normals[3 * i + 1] = float(towards * std::sin(tilt));
+          picture.normals[3 * i + 2] = float(std::cos(tilt));
+        }
+        const Result r = curvatures_of(picture.g_buffer());
+        BOOST_TEST(r.failures == 0u);
+        for(std::size_t i = 0; i < picture.size(); ++i)
+          if(SC::is_estimated(r.statuses[i]))
+            BOOST_REQUIRE_SMALL(double(r.mean[i]), 1e-4);
+      }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(levels_of_detail)
 {
   const auto steps = [](const Level_of_detail& level, const Camera& camera, double distance)

@@ -553,8 +553,57 @@ BOOST_AUTO_TEST_CASE(sizes_and_targets)
     BOOST_CHECK_THROW(fit(none), std::invalid_argument);
     BOOST_CHECK_THROW(pass(textures, SC::parameters::number_of_triangles(0)), std::invalid_argument);
     BOOST_CHECK_THROW(fit(textures, SC::parameters::pixel_radius(0)), std::invalid_argument);
-    if(stage == SC::Shader_stage::FRAGMENT)
-      BOOST_CHECK_THROW(pass.draw_into(0, textures), std::invalid_argument);
+
+    // textures that there are not, or that have no room: the pass's own result stays
+    GLuint others[3];
+    glGenTextures(3, others); // too small, of another format, of another kind
+    glBindTexture(GL_TEXTURE_2D, others[0]);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, g.width() - 1, g.height());
+    glBindTexture(GL_TEXTURE_2D, others[1]);
+    glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, g.width(), g.height());
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, others[2]);
+    glTexStorage3D(GL_TEXTURE_2D_ARRAY, 1, GL_RGBA32F, g.width(), g.height(), 2);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    for(const GLuint name : {0u, 4711u, others[0], others[2]})
+      BOOST_CHECK_THROW(pass.draw_into(name, textures, SC::parameters::number_of_triangles(1)),
+                        std::invalid_argument);
+    if(stage == SC::Shader_stage::COMPUTE)
+      BOOST_CHECK_THROW(pass.draw_into(others[1], textures), std::invalid_argument);
+    else
+      pass.draw_into(others[1], textures);
+    SC::read_screen_space_curvatures(first, g.width(), g.height(), b.maps());
+    BOOST_TEST((std::memcmp(a.low.data(), b.low.data(), a.low.size() * sizeof(float)) == 0));
+    BOOST_TEST(pass(textures) == first);
+
+    // and what isn't there can't be read
+    for(const GLuint name : {0u, 4711u, others[0], others[2]})
+      BOOST_CHECK_THROW(SC::read_screen_space_curvatures(name, g.width(), g.height(), b.maps()),
+                        std::invalid_argument);
+    BOOST_CHECK_THROW(SC::read_screen_space_curvatures(first, g.width() + 1, g.height(), b.maps()),
+                      std::invalid_argument);
+    BOOST_CHECK_THROW(SC::read_screen_space_curvatures(first, g.width() - 1, g.height(), b.maps()),
+                      std::invalid_argument);
+    std::vector<float> read_depths, read_normals;
+    none = textures;
+    none.depths = others[0];
+    BOOST_CHECK_THROW(SC::read_g_buffer(none, read_depths, read_normals), std::invalid_argument);
+    glDeleteTextures(3, others);
+
+    // depths in a format of colors are read as well as those in one of depths
+    SC::read_g_buffer(textures, read_depths, read_normals);
+    for(std::size_t i = 0; i < g.size(); i += 7)
+      BOOST_TEST(read_depths[i] == g.depth(i));
+
+    // the application shows the result while the next picture has another size: it shows nothing then
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, first);
+    textures.width -= 1;
+    pass(textures);
+    textures.width += 1;
+    GLint shown = -1;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &shown);
+    BOOST_TEST(shown == 0);
     BOOST_TEST(glGetError() == GLenum(GL_NO_ERROR));
   }
   BOOST_TEST(SC::read_screen_space_curvatures(0, 0, 5) == 0u);
@@ -619,19 +668,48 @@ BOOST_AUTO_TEST_CASE(state_is_given_back)
   glClearColor(.1f, .2f, .3f, .4f);
   glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glPixelStorei(GL_PACK_ROW_LENGTH, 1000);
+  glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_TRUE);
+  for(const GLenum s : {GL_POLYGON_OFFSET_FILL, GL_PRIMITIVE_RESTART})
+    glEnable(s);
+  glPolygonOffset(-100.f, -100.f);
+  glPrimitiveRestartIndex(0);
+  glDisablei(GL_BLEND, 1);
+  glDisablei(GL_SCISSOR_TEST, 3);
+  glViewportIndexedf(1, 2.f, 3.f, 5.f, 7.5f);
+  glDepthRangeIndexed(2, .125, .5);
+  const bool has_clip_control = epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
+  if(has_clip_control)
+    glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
 
-  const auto state = []
+  const auto state = [=]
   {
     std::vector<double> values;
     for(const GLenum name :
         {GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_ARRAY_BUFFER_BINDING, GL_DRAW_FRAMEBUFFER_BINDING,
          GL_PIXEL_PACK_BUFFER_BINDING, GL_PIXEL_UNPACK_BUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING,
          GL_ACTIVE_TEXTURE, GL_DEPTH_FUNC, GL_DEPTH_WRITEMASK, GL_PACK_ROW_LENGTH, GL_PACK_ALIGNMENT,
-         GL_UNPACK_ALIGNMENT})
+         GL_UNPACK_ALIGNMENT, GL_UNPACK_SWAP_BYTES})
     {
       GLint value = 0;
       glGetIntegerv(name, &value);
       values.push_back(value);
+    }
+    if(has_clip_control)
+      for(const GLenum name : {GL_CLIP_ORIGIN, GL_CLIP_DEPTH_MODE})
+      {
+        GLint value = 0;
+        glGetIntegerv(name, &value);
+        values.push_back(value);
+      }
+    for(GLuint i = 0; i < 4; ++i)
+    {
+      GLdouble several[4] = {};
+      glGetDoublei_v(GL_VIEWPORT, i, several);
+      values.insert(values.end(), several, several + 4);
+      glGetDoublei_v(GL_DEPTH_RANGE, i, several);
+      values.insert(values.end(), several, several + 2);
+      values.push_back(glIsEnabledi(GL_BLEND, i));
+      values.push_back(glIsEnabledi(GL_SCISSOR_TEST, i));
     }
     for(const GLenum name :
         {GL_VIEWPORT, GL_COLOR_CLEAR_VALUE, GL_DEPTH_RANGE, GL_COLOR_WRITEMASK, GL_POLYGON_MODE})
@@ -640,8 +718,9 @@ BOOST_AUTO_TEST_CASE(state_is_given_back)
       glGetDoublev(name, several);
       values.insert(values.end(), several, several + 4);
     }
-    for(const GLenum s : {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST,
-                          GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP})
+    for(const GLenum s :
+        {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD,
+         GL_COLOR_LOGIC_OP, GL_POLYGON_OFFSET_FILL, GL_PRIMITIVE_RESTART})
       values.push_back(glIsEnabled(s));
     GLint active;
     glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
@@ -676,9 +755,13 @@ BOOST_AUTO_TEST_CASE(state_is_given_back)
   BOOST_TEST(glGetError() == GLenum(GL_NO_ERROR));
 
   glPixelStorei(GL_PACK_ROW_LENGTH, 0);
-  for(const GLenum s :
-      {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST, GL_RASTERIZER_DISCARD})
+  glPixelStorei(GL_UNPACK_SWAP_BYTES, GL_FALSE);
+  for(const GLenum s : {GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND, GL_CULL_FACE, GL_STENCIL_TEST,
+                        GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_PRIMITIVE_RESTART})
     glDisable(s);
+  glDepthRangeIndexed(2, 0., 1.);
+  if(has_clip_control)
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
@@ -693,6 +776,10 @@ BOOST_AUTO_TEST_CASE(state_is_given_back)
   for(std::size_t i = 0; i < drawn.size(); ++i)
     seen += drawn.is_valid(i);
   BOOST_TEST(seen > 500u);
+  const std::vector<float> depths_in_another_frame = depths, normals_in_another_frame = normals;
+  SC::read_g_buffer(renderer.draw(camera_at(4., 1.5), 50, 50), depths, normals);
+  BOOST_TEST((depths == depths_in_another_frame));
+  BOOST_TEST((normals == normals_in_another_frame));
   Curvatures cpu(g.size());
   cpu.failures = SC::screen_space_curvatures(g, cpu.maps());
   check_agreement(g, cpu, a, "fragments in another's frame");

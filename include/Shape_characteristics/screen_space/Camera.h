@@ -23,7 +23,9 @@ namespace Shape_characteristics {
   View space has x to the right, y upwards, and z towards the viewer: what is seen has negative z. Its unit is that of the scene, so
   that curvatures come out in 1/unit of the scene.
 
-  Everything is kept in double precision, and matrices are those of OpenGL, for column vectors.
+  Everything is kept in double precision, and matrices are those of OpenGL, for column vectors. Those of a renderer with a view space
+  that looks along +z, as Direct3D's is by custom, become such by \f$ D = \mathrm{diag}(1, 1, -1, 1) \f$: the view matrix by \f$ D V \f$, the
+  projection by \f$ P D \f$.
 */
 class Camera
 {
@@ -58,12 +60,13 @@ public:
             "Shape_characteristics: the view matrix of a camera must be a rotation and a translation");
     Eigen::Matrix4d& p = m_projection;
     const bool perspective = p(3, 2) != 0.;
-    require(p(3, 0) == 0. && p(3, 1) == 0. && p(0, 1) == 0. && p(1, 0) == 0. && p(2, 0) == 0. &&
-                p(2, 1) == 0. && p(0, 0) != 0. && p(1, 1) != 0. && (p(2, 2) != 0. || p(2, 3) != 0.) &&
-                (perspective
-                     ? p(3, 2) < 0. && p(3, 3) == 0. && p(0, 3) == 0. && p(1, 3) == 0. && p(2, 3) != 0.
-                     : p(3, 3) > 0. && p(0, 2) == 0. && p(1, 2) == 0. && p(2, 2) != 0.),
-            "Shape_characteristics: the projection matrix of a camera must be perspective or orthographic");
+    require(
+        p(3, 0) == 0. && p(3, 1) == 0. && p(0, 1) == 0. && p(1, 0) == 0. && p(2, 0) == 0. && p(2, 1) == 0. &&
+            p(0, 0) != 0. && p(1, 1) != 0. && (p(2, 2) != 0. || p(2, 3) != 0.) &&
+            (perspective ? p(3, 2) < 0. && p(3, 3) == 0. && p(0, 3) == 0. && p(1, 3) == 0. && p(2, 3) != 0.
+                         : p(3, 3) > 0. && p(0, 2) == 0. && p(1, 2) == 0. && p(2, 2) != 0.),
+        "Shape_characteristics: the projection matrix of a camera must be perspective or orthographic, of a "
+        "view space with what is seen at negative z");
     p /= perspective ? -p(3, 2) : p(3, 3);
     m_least_depth = depth_convention == Depth_convention::WINDOW_DEPTH_ZERO_TO_ONE ? 0. : -1.;
     if(depth_convention == Depth_convention::EYE_DISTANCE && perspective && !(near_plane() > 0.))

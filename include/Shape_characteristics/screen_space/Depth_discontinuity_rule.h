@@ -18,8 +18,8 @@ enum class Depth_discontinuity_rule : unsigned char
   FAR_PLANE,
   /// ours: points `p`, `q` with normals `m`, `n` belong to different surfaces if the edge `q - p` is long, more than twice the distance of the pixels at that
   /// depth, and neither lies along the surface: \f$ |(m + n) \cdot (q - p)| > |q - p| / 2 \f$. On a smooth surface the sum vanishes to third order, however
-  /// steeply it is seen; a crease is kept where both of its sides are seen at less than 60 degrees. A neighbor that is told apart is replaced by that one
-  /// pixel away, and if this one is as well, its triangles are left out. It has no unit.
+  /// steeply it is seen; a crease is kept where both of its sides are seen at less than 60 degrees. Normals of normal maps, and of coarse meshes, are not
+  /// those of the points: so the edge is kept as well if the pixel before or behind it is in line to an eighth of its length. A neighbor that is told apart is replaced by that one pixel away, and if this one is as well, its triangles are left out. It has no unit.
   TANGENT_PLANES
 };
 

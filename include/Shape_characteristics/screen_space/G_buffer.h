@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <stdexcept>
 
 namespace Shape_characteristics {
@@ -81,12 +82,14 @@ public:
     return Eigen::Map<const Eigen::Vector3f>(m_normals + pixel * std::size_t(m_stride));
   }
 
-  /// returns whether a surface is seen in a pixel, whose depth and normal can be used: both are finite, and the normal isn't zero.
+  /// returns whether a surface is seen in a pixel, whose depth and normal can be used: both are finite, and the normal isn't zero
+  /// (nor as short as what processors take for it).
   bool is_valid(std::size_t pixel) const
   {
     const float d = depth(pixel);
     const Eigen::Vector3f n = normal(pixel);
-    return std::isfinite(d) && !m_camera.is_background(d) && n.allFinite() && !n.isZero(0.f);
+    return std::isfinite(d) && !m_camera.is_background(d) && n.allFinite() &&
+           n.cwiseAbs().maxCoeff() >= (std::numeric_limits<float>::min)();
   }
 
   /// returns the point in view space that is seen at the center of a pixel, which has to be valid.

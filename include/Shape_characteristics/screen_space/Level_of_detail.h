@@ -96,7 +96,7 @@ public:
       case Kind::BY_LENGTH:
       {
         const double distance = m_size / (step * pixel_size);
-        if(camera.is_perspective())
+        if(camera.is_perspective() && std::isfinite(distance))
           limit = clamped(camera, distance);
         else
           limit = distance >= 1. ? -never : never;

@@ -43,6 +43,11 @@ namespace Shape_characteristics {
       \cgalParamType{a model of `WritablePropertyMap` with the pixel's index, a `std::size_t`, as key type and `float` as value type}
       \cgalParamDefault{not written}
     \cgalParamNEnd
+    \cgalParamNBegin{status_map}
+      \cgalParamDescription{a property map in which is written whether each pixel has a curvature and if not why. Background is `UNREFERENCED`.}
+      \cgalParamType{a model of `WritablePropertyMap` with value type `Estimation_status`}
+      \cgalParamDefault{not written}
+    \cgalParamNEnd
     \cgalParamNBegin{ambient_occlusion_mapping}
       \cgalParamDescription{what makes light of curvature}
       \cgalParamType{a model of `AmbientOcclusionMapping`}
@@ -95,10 +100,18 @@ std::size_t ambient_occlusion(const GBuffer& g_buffer,
                                          g_buffer.width(), g_buffer.height());
   const std::size_t size = g_buffer.size();
   std::vector<float> k_min(size), k_max(size);
-  const std::size_t failed = internal::for_each_pixel<ConcurrencyTag>(
-      g_buffer, internal::Screen_space_estimator<GBuffer>(g_buffer, pass),
-      parameters::min_curvature_map(CGAL::make_property_map(k_min))
-          .max_curvature_map(CGAL::make_property_map(k_max)));
+  const auto output = parameters::min_curvature_map(CGAL::make_property_map(k_min))
+                          .max_curvature_map(CGAL::make_property_map(k_max));
+  const auto estimate = [&](const auto& maps)
+  {
+    return internal::for_each_pixel<ConcurrencyTag>(
+        g_buffer, internal::Screen_space_estimator<GBuffer>(g_buffer, pass), maps);
+  };
+  std::size_t failed = 0;
+  if constexpr(is_default_parameter<NamedParameters, internal_np::status_map_t>::value)
+    failed = estimate(output);
+  else
+    failed = estimate(output.status_map(get_parameter(np, internal_np::status_map)));
   if constexpr(!is_default_parameter<NamedParameters, internal_np::ambient_occlusion_map_t>::value)
   {
     const auto map = get_parameter(np, internal_np::ambient_occlusion_map);

@@ -172,6 +172,11 @@ template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
 std::size_t sphere_fit_mean_curvatures(const GBuffer& g_buffer,
                                        const NamedParameters& np = parameters::default_values())
 {
+  using parameters::is_default_parameter;
+  static_assert(is_default_parameter<NamedParameters, internal_np::Gaussian_curvature_map_t>::value &&
+                    is_default_parameter<NamedParameters, internal_np::shape_index_map_t>::value,
+                "Shape_characteristics: sphere_fit_mean_curvatures() fits spheres, which tell neither "
+                "Gaussian_curvature_map nor shape_index_map");
   const int radius = internal::pixel_radius(np);
   if(g_buffer.width() <= 0 || g_buffer.height() <= 0)
     return 0;

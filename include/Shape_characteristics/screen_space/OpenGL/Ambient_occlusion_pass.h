@@ -8,6 +8,7 @@
 #include <Shape_characteristics/screen_space/OpenGL/internal/Gl_program.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/Gl_state.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/require_opengl.h>
+#include <Shape_characteristics/screen_space/OpenGL/internal/require_texture.h>
 #include <Shape_characteristics/screen_space/Two_part_ambient_occlusion.h>
 
 #include <epoxy/gl.h>
@@ -46,11 +47,15 @@ public:
     internal::require_opengl("Ambient_occlusion_pass");
     glGenVertexArrays(1, &m_vertex_array);
     glGenFramebuffers(1, &m_framebuffer);
+    glGenSamplers(1, &m_sampler);
+    glSamplerParameteri(m_sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(m_sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   }
 
   ~Ambient_occlusion_pass()
   {
     glDeleteTextures(1, &m_target);
+    glDeleteSamplers(1, &m_sampler);
     glDeleteFramebuffers(1, &m_framebuffer);
     glDeleteVertexArrays(1, &m_vertex_array);
   }
@@ -72,7 +77,7 @@ public:
     \param mapping what makes light of curvature
     \param background what pixels without curvature get, the background among them
     \return 0 if the picture has no pixels
-    \throws std::invalid_argument if the size is negative
+    \throws std::invalid_argument if the size is negative, or `curvatures` is no 2D texture, or smaller
     \throws std::runtime_error if a shader doesn't compile, with the words of the driver
   */
   template <typename AmbientOcclusionMapping>
@@ -111,11 +116,13 @@ private:
     glProgramUniform4fv(name, v.occlusion, 1, mapping.parameters.data());
     glProgramUniform1f(name, v.background, background);
 
+    const bool is_resized = width != m_width || height != m_height;
+    if(is_resized)
+      glDeleteTextures(1, &m_target); // first: wherever the application shows it, there is nothing then
     const internal::Gl_state state;
     glActiveTexture(GL_TEXTURE0);
-    if(width != m_width || height != m_height)
+    if(is_resized)
     {
-      glDeleteTextures(1, &m_target);
       glGenTextures(1, &m_target);
       glBindTexture(GL_TEXTURE_2D, m_target);
       glTexStorage2D(GL_TEXTURE_2D, 1, GL_R32F, width, height);
@@ -126,8 +133,8 @@ private:
       m_width = width;
       m_height = height;
     }
-    glBindTexture(GL_TEXTURE_2D, curvatures);
-    glBindSampler(0, 0);
+    internal::require_texture("Ambient_occlusion_pass", curvatures, width, height, true);
+    glBindSampler(0, m_sampler);
     glUseProgram(name);
     if(m_stage == Shader_stage::COMPUTE)
     {
@@ -137,7 +144,7 @@ private:
       return;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-    glViewport(0, 0, width, height);
+    glViewportIndexedf(0, 0.f, 0.f, float(width), float(height));
     glBindVertexArray(m_vertex_array);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
@@ -164,7 +171,7 @@ private:
   }
 
   Shader_stage m_stage;
-  GLuint m_vertex_array = 0, m_framebuffer = 0, m_target = 0;
+  GLuint m_vertex_array = 0, m_framebuffer = 0, m_sampler = 0, m_target = 0;
   int m_width = 0, m_height = 0;
   std::array<Variant, 3> m_variants;
 };

@@ -200,27 +200,14 @@ public:
   {
     if(width < 1 || height < 1 || !normals)
       throw std::invalid_argument("Shape_characteristics: a normal map needs texels");
-    const internal::Gl_state state;
     glDeleteTextures(1, &m_normal_texture);
+    const internal::Gl_state state;
     glGenTextures(1, &m_normal_texture);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, m_normal_texture);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    GLint row_length, rows, pixels, alignment;
-    glGetIntegerv(GL_UNPACK_ROW_LENGTH, &row_length);
-    glGetIntegerv(GL_UNPACK_SKIP_ROWS, &rows);
-    glGetIntegerv(GL_UNPACK_SKIP_PIXELS, &pixels);
-    glGetIntegerv(GL_UNPACK_ALIGNMENT, &alignment);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, width, height);
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGB, GL_FLOAT, normals);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, row_length);
-    glPixelStorei(GL_UNPACK_SKIP_ROWS, rows);
-    glPixelStorei(GL_UNPACK_SKIP_PIXELS, pixels);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   }
@@ -250,6 +237,8 @@ public:
     G_buffer_textures result = {width, height, 0, 0, camera, Normal_space::VIEW};
     if(width == 0 || height == 0)
       return result;
+    if(width != m_width || height != m_height)
+      remove_textures(); // before the state is kept: wherever the application shows them, there is nothing then
     const internal::Gl_state state;
     resize(width, height);
     result.depths = m_depths;
@@ -267,11 +256,11 @@ public:
     glProgramUniform1i(name, m_normal_map, 0);
 
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-    glViewport(0, 0, width, height);
+    glViewportIndexedf(0, 0.f, 0.f, float(width), float(height));
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
-    glDepthRange(0., 1.);
+    glDepthRangeIndexed(0, 0., 1.);
     const float no_normal[4] = {0.f, 0.f, 0.f, 0.f}, far_away = 1.f;
     glClearBufferfv(GL_COLOR, 0, no_normal);
     glClearBufferfv(GL_DEPTH, 0, &far_away);
@@ -288,6 +277,14 @@ public:
   }
 
 private:
+  void remove_textures()
+  {
+    const GLuint old[2] = {m_depths, m_normals};
+    glDeleteTextures(2, old);
+    m_depths = m_normals = 0;
+    m_width = m_height = -1;
+  }
+
   void resize(int width, int height)
   {
     if(width == m_width && height == m_height)
@@ -297,8 +294,6 @@ private:
     if(width > largest || height > largest)
       throw std::invalid_argument(
           "Shape_characteristics: the size of a G-buffer is larger than OpenGL has textures");
-    const GLuint old[2] = {m_depths, m_normals};
-    glDeleteTextures(2, old);
     GLuint names[2];
     glGenTextures(2, names);
     m_depths = names[0];

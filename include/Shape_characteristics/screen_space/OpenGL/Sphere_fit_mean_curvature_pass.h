@@ -60,8 +60,8 @@ public:
 
   /*!
     the same, into a texture of the caller. The fragment shader writes any format that can be drawn into, the compute shader `GL_RGBA32F`.
-    \param g_buffer the textures and the camera
     \param target a 2D texture, at least of the size of the picture
+    \param g_buffer the textures and the camera
     \param np as above
     \throws std::invalid_argument also if `target` can't be drawn into
   */

@@ -3,8 +3,10 @@
 
 #include <Shape_characteristics/screen_space/G_buffer.h>
 #include <Shape_characteristics/screen_space/OpenGL/G_buffer_textures.h>
+#include <Shape_characteristics/screen_space/OpenGL/internal/Gl_state.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/read_texture.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/require_opengl.h>
+#include <Shape_characteristics/screen_space/OpenGL/internal/require_texture.h>
 
 #include <epoxy/gl.h>
 
@@ -13,18 +15,31 @@
 #include <vector>
 
 namespace Shape_characteristics {
+namespace internal {
+
+// whether the depths are in a format for depths, and not in the red channel
+inline bool has_depths(const G_buffer_textures& textures)
+{
+  const Gl_state state;
+  require_texture("read_g_buffer", textures.depths, textures.width, textures.height);
+  GLint bits = 0;
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE, &bits);
+  return bits > 0;
+}
+
+} // namespace internal
 
 /*!
   \ingroup PkgShapeCharacteristicsScreenSpace
 
   copies a G-buffer from the GPU to memory.
 
-  \param textures the G-buffer. Depths are in a texture with a depth format.
+  \param textures the G-buffer
   \param depths gets the depth of each pixel
   \param normals gets the normal of each pixel, three numbers each
   \return the G-buffer in the two arrays, which have to outlive it
   \throws std::runtime_error if no context is current, or if it has less than OpenGL 4.3
-  \throws std::invalid_argument if the size is negative
+  \throws std::invalid_argument if the size is negative, or not that of the textures
 */
 inline G_buffer
 read_g_buffer(const G_buffer_textures& textures, std::vector<float>& depths, std::vector<float>& normals)
@@ -37,8 +52,10 @@ read_g_buffer(const G_buffer_textures& textures, std::vector<float>& depths, std
   normals.resize(3 * size);
   if(size > 0)
   {
-    internal::read_texture(textures.depths, GL_DEPTH_COMPONENT, depths.data());
-    internal::read_texture(textures.normals, GL_RGB, normals.data());
+    internal::read_texture("read_g_buffer", textures.depths, textures.width, textures.height,
+                           internal::has_depths(textures) ? GL_DEPTH_COMPONENT : GL_RED, depths.data());
+    internal::read_texture("read_g_buffer", textures.normals, textures.width, textures.height, GL_RGB,
+                           normals.data());
   }
   return G_buffer(textures.width, textures.height, depths.data(), normals.data(), textures.camera,
                   textures.normal_space);

@@ -26,10 +26,10 @@ namespace Shape_characteristics {
   \param width number of columns of the texture
   \param height number of rows of the texture
   \param np the maps that `screen_space_curvatures()` writes: `min_curvature_map`, `max_curvature_map`, `mean_curvature_map`, `Gaussian_curvature_map`,
-         `shape_index_map`, `status_map`
+         `shape_index_map`, `status_map`. The sphere that was fitted has one curvature: its square is the Gaussian one.
   \return the number of pixels that show a surface and could not be estimated
   \throws std::runtime_error if no context is current, or if it has less than OpenGL 4.3
-  \throws std::invalid_argument if the size is negative
+  \throws std::invalid_argument if the size is negative, or not that of the texture, or the texture isn't what a pass returned
 */
 template <typename NamedParameters = parameters::Default_named_parameters>
 std::size_t read_screen_space_curvatures(unsigned texture,
@@ -44,13 +44,17 @@ std::size_t read_screen_space_curvatures(unsigned texture,
   if(size == 0)
     return 0;
   std::vector<float> channels(4 * size);
-  internal::read_texture(texture, GL_RGBA, channels.data());
+  internal::read_texture("read_screen_space_curvatures", texture, width, height, GL_RGBA, channels.data());
   std::vector<Screen_space_curvature> results(size);
   for(std::size_t i = 0; i < size; ++i)
   {
     results[i].min_curvature = channels[4 * i];
     results[i].max_curvature = channels[4 * i + 1];
-    results[i].status = Estimation_status(int(channels[4 * i + 3]));
+    const float status = channels[4 * i + 3];
+    if(!(status >= 0.f && status <= float(Estimation_status::UNREFERENCED)))
+      throw std::invalid_argument(
+          "Shape_characteristics: read_screen_space_curvatures: the texture has no curvatures");
+    results[i].status = Estimation_status(int(status));
   }
   return internal::write_pixels(np, results, 0, size);
 }

@@ -178,12 +178,33 @@ private:
                   up = m_pass.frame.pixel_edge[1] * float(dy);
       const float squared_length = result.edge.dot(result.edge);
       const float rise = (c.normal + normal).dot(result.edge);
-      result.is_usable =
-          !(squared_length > 4.f * (across * across + up * up) && rise * rise > 0.25f * squared_length);
+      const bool is_doubtful =
+          squared_length > 4.f * (across * across + up * up) && rise * rise > 0.25f * squared_length;
+      result.is_usable = !is_doubtful || is_in_line(c, dx, dy, result.edge);
     }
     else
       result.is_usable = true;
     return result;
+  }
+
+  // whether the points before or behind an edge are in line with it
+  bool is_in_line(const Center& c, int dx, int dy, const Eigen::Vector3f& edge) const
+  {
+    return is_in_line(c, -dx, -dy, edge, 1.f) || is_in_line(c, 2 * dx, 2 * dy, edge, -2.f);
+  }
+
+  // whether a point is `-times` the edge away
+  bool is_in_line(const Center& c, int dx, int dy, const Eigen::Vector3f& edge, float times) const
+  {
+    const int x = c.x + dx, y = c.y + dy;
+    if(x < 0 || y < 0 || x >= m_width || y >= m_height)
+      return false;
+    const float depth = m_g_buffer.depth(m_g_buffer.index(x, y));
+    if(!m_pass.frame.is_surface(depth))
+      return false;
+    const Eigen::Vector3f other = m_pass.frame.edge(c.depth, c.footprint, depth, x, y, dx, dy);
+    const Eigen::Vector3f bend = other + times * edge;
+    return bend.dot(bend) < 0.015625f * edge.dot(edge);
   }
 
   // those of the least squares (7.5), of all triangles

@@ -6,6 +6,7 @@
 #include <Shape_characteristics/screen_space/OpenGL/internal/Gl_program.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/Gl_state.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/require_opengl.h>
+#include <Shape_characteristics/screen_space/OpenGL/internal/require_texture.h>
 #include <Shape_characteristics/screen_space/internal/Screen_frame.h>
 
 #include <epoxy/gl.h>
@@ -90,9 +91,9 @@ public:
   {
     if(width != m_target_width || height != m_target_height || m_target == 0)
     {
-      const Gl_state state;
-      glDeleteTextures(1, &m_target);
+      glDeleteTextures(1, &m_target); // first: wherever the application shows it, there is nothing then
       m_attached = 0;
+      const Gl_state state;
       glGenTextures(1, &m_target);
       glActiveTexture(GL_TEXTURE0);
       glBindTexture(GL_TEXTURE_2D, m_target);
@@ -123,6 +124,8 @@ public:
     glProgramUniformMatrix3fv(name, p.to_view, 1, GL_FALSE, frame.to_view.data());
 
     const Gl_state state;
+    if(target != m_target)
+      require_target(g, target);
     const GLuint textures[2] = {g.depths, g.normals};
     for(GLuint i = 0; i < 2; ++i)
     {
@@ -139,7 +142,7 @@ public:
       return;
     }
     glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
-    if(target != m_attached || target == 0)
+    if(target != m_attached)
     {
       glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target, 0);
       m_attached = 0;
@@ -149,12 +152,21 @@ public:
       // a target of someone else may be deleted and its name used again
       m_attached = target == m_target ? target : 0;
     }
-    glViewport(0, 0, g.width, g.height);
+    glViewportIndexedf(0, 0.f, 0.f, float(g.width), float(g.height));
     glBindVertexArray(m_vertex_array);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 
 private:
+  // a texture of the application
+  void require_target(const G_buffer_textures& g, unsigned target) const
+  {
+    const GLenum format = require_texture(m_who, target, g.width, g.height, true);
+    if(m_stage == Shader_stage::COMPUTE && format != GL_RGBA32F)
+      throw std::invalid_argument(std::string("Shape_characteristics: ") + m_who +
+                                  ": compute shaders write into textures of the format GL_RGBA32F");
+  }
+
   const char* m_who;
   Shader_stage m_stage;
   GLuint m_vertex_array = 0, m_framebuffer = 0, m_sampler = 0, m_target = 0, m_attached = 0;

@@ -23,13 +23,13 @@ public:
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_read_framebuffer);
     glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &m_pack_buffer);
     glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &m_unpack_buffer);
-    glGetIntegerv(GL_VIEWPORT, m_viewport.data());
+    glGetFloati_v(GL_VIEWPORT, 0, m_viewport.data());
     glGetIntegerv(GL_DEPTH_FUNC, &m_depth_function);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &m_depth_mask);
     glGetBooleani_v(GL_COLOR_WRITEMASK, 0, m_color_mask.data());
     glGetFloatv(GL_COLOR_CLEAR_VALUE, m_clear_color.data());
     glGetFloatv(GL_DEPTH_CLEAR_VALUE, &m_clear_depth);
-    glGetFloatv(GL_DEPTH_RANGE, m_depth_range.data());
+    glGetDoublei_v(GL_DEPTH_RANGE, 0, m_depth_range.data());
     GLint mode[2] = {GL_FILL, GL_FILL}; // some drivers tell two of them
     glGetIntegerv(GL_POLYGON_MODE, mode);
     m_polygon_mode = mode[0];
@@ -37,6 +37,27 @@ public:
     {
       m_enabled[i] = glIsEnabled(switches[i]);
       glDisable(switches[i]);
+    }
+    for(std::size_t i = 0; i < first_switches.size(); ++i)
+    {
+      m_first_enabled[i] = glIsEnabledi(first_switches[i], 0);
+      glDisablei(first_switches[i], 0);
+    }
+    if(has_clip_control())
+    {
+      glGetIntegerv(GL_CLIP_ORIGIN, &m_clip_origin);
+      glGetIntegerv(GL_CLIP_DEPTH_MODE, &m_clip_depth);
+      glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    }
+    for(std::size_t i = 0; i < storage.size(); ++i)
+    {
+      glGetIntegerv(storage[i], &m_storage[i]);
+      glPixelStorei(storage[i], 0);
+    }
+    for(std::size_t i = 0; i < alignments.size(); ++i)
+    {
+      glGetIntegerv(alignments[i], &m_alignments[i]);
+      glPixelStorei(alignments[i], 4);
     }
     glGetIntegerv(GL_ACTIVE_TEXTURE, &m_active_texture);
     for(std::size_t i = 0; i < m_textures.size(); ++i)
@@ -72,14 +93,22 @@ public:
     glActiveTexture(GLenum(m_active_texture));
     for(std::size_t i = 0; i < switches.size(); ++i)
       (m_enabled[i] ? glEnable : glDisable)(switches[i]);
+    for(std::size_t i = 0; i < first_switches.size(); ++i)
+      (m_first_enabled[i] ? glEnablei : glDisablei)(first_switches[i], 0);
+    if(has_clip_control())
+      glClipControl(GLenum(m_clip_origin), GLenum(m_clip_depth));
+    for(std::size_t i = 0; i < storage.size(); ++i)
+      glPixelStorei(storage[i], m_storage[i]);
+    for(std::size_t i = 0; i < alignments.size(); ++i)
+      glPixelStorei(alignments[i], m_alignments[i]);
     glPolygonMode(GL_FRONT_AND_BACK, GLenum(m_polygon_mode));
-    glDepthRange(m_depth_range[0], m_depth_range[1]);
+    glDepthRangeIndexed(0, m_depth_range[0], m_depth_range[1]);
     glClearDepth(m_clear_depth);
     glClearColor(m_clear_color[0], m_clear_color[1], m_clear_color[2], m_clear_color[3]);
     glColorMaski(0, m_color_mask[0], m_color_mask[1], m_color_mask[2], m_color_mask[3]);
     glDepthMask(m_depth_mask);
     glDepthFunc(GLenum(m_depth_function));
-    glViewport(m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
+    glViewportIndexedf(0, m_viewport[0], m_viewport[1], m_viewport[2], m_viewport[3]);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, GLuint(m_unpack_buffer));
     glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(m_pack_buffer));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(m_read_framebuffer));
@@ -93,20 +122,35 @@ public:
   Gl_state& operator=(const Gl_state&) = delete;
 
 private:
-  static constexpr std::array<GLenum, 7> switches = {GL_DEPTH_TEST,        GL_BLEND,        GL_CULL_FACE,
-                                                     GL_SCISSOR_TEST,      GL_STENCIL_TEST, GL_COLOR_LOGIC_OP,
-                                                     GL_RASTERIZER_DISCARD};
+  static bool has_clip_control()
+  {
+    return epoxy_gl_version() >= 45 || epoxy_has_gl_extension("GL_ARB_clip_control");
+  }
+
+  static constexpr std::array<GLenum, 8> switches = {
+      GL_DEPTH_TEST,         GL_CULL_FACE,           GL_STENCIL_TEST,      GL_COLOR_LOGIC_OP,
+      GL_RASTERIZER_DISCARD, GL_POLYGON_OFFSET_FILL, GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX};
+  // there is one for each target or viewport, of which we use the first
+  static constexpr std::array<GLenum, 2> first_switches = {GL_BLEND, GL_SCISSOR_TEST};
+  static constexpr std::array<GLenum, 8> storage = {
+      GL_PACK_ROW_LENGTH,   GL_PACK_SKIP_ROWS,   GL_PACK_SKIP_PIXELS,   GL_PACK_SWAP_BYTES,
+      GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SWAP_BYTES};
+  static constexpr std::array<GLenum, 2> alignments = {GL_PACK_ALIGNMENT, GL_UNPACK_ALIGNMENT};
   GLint m_program = 0, m_vertex_array = 0, m_array_buffer = 0, m_draw_framebuffer = 0, m_read_framebuffer = 0,
         m_pack_buffer = 0, m_unpack_buffer = 0, m_depth_function = 0, m_active_texture = 0,
         m_polygon_mode = 0;
   GLint m_image = 0, m_image_level = 0, m_image_layer = 0, m_image_access = 0, m_image_format = 0;
   GLboolean m_image_layered = GL_FALSE, m_depth_mask = GL_TRUE;
-  std::array<GLint, 4> m_viewport{};
+  GLint m_clip_origin = 0, m_clip_depth = 0;
+  std::array<GLfloat, 4> m_viewport{};
   std::array<GLboolean, 4> m_color_mask{};
   std::array<GLfloat, 4> m_clear_color{};
-  std::array<GLfloat, 2> m_depth_range{};
+  std::array<GLdouble, 2> m_depth_range{};
   GLfloat m_clear_depth = 1.f;
   std::array<GLboolean, switches.size()> m_enabled{};
+  std::array<GLboolean, first_switches.size()> m_first_enabled{};
+  std::array<GLint, storage.size()> m_storage{};
+  std::array<GLint, alignments.size()> m_alignments{};
   std::array<GLint, 2> m_textures{}, m_samplers{};
 };
 

@@ -99,6 +99,29 @@ vec4 sc_unit_normal(ivec2 pixel)
   return vec4(sc_to_view * (n / sqrt(dot(n, n))), 1);
 }
 
+// from the center to a pixel of a depth: the difference of points, from that of depths, which is exact
+vec3 sc_edge(Sc_center c, ivec2 offset, float depth)
+{
+  float g = sc_distance.z + sc_distance.w * (c.depth - sc_depth_range.x);
+  float h = sc_distance.z + sc_distance.w * (depth - sc_depth_range.x);
+  float away = sc_determinant * (depth - c.depth) / (g * h) / c.footprint;
+  vec2 across = sc_pixel.xy * vec2(offset);
+  return vec3(across + sc_pixel.w * away * (sc_rays.xy + sc_rays.zw * vec2(c.pixel + offset)), -away);
+}
+
+// whether a point is `-times` an edge away
+bool sc_is_in_line(Sc_center c, ivec2 offset, vec3 edge, float times)
+{
+  ivec2 pixel = c.pixel + offset;
+  if(any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, sc_size)))
+    return false;
+  float depth = texelFetch(sc_depths, pixel, 0).x;
+  if(!sc_is_surface(depth))
+    return false;
+  vec3 bend = sc_edge(c, offset, depth) + times * edge;
+  return dot(bend, bend) < 0.015625 * dot(edge, edge);
+}
+
 Sc_neighbor sc_neighbor_at(Sc_center c, ivec2 offset)
 {
   Sc_neighbor result;
@@ -115,20 +138,19 @@ Sc_neighbor sc_neighbor_at(Sc_center c, ivec2 offset)
   if(normal.w == 0)
     return result;
 
-  // the difference of points, from that of depths, which is exact
-  float g = sc_distance.z + sc_distance.w * (c.depth - sc_depth_range.x);
-  float h = sc_distance.z + sc_distance.w * (depth - sc_depth_range.x);
-  float away = sc_determinant * (depth - c.depth) / (g * h) / c.footprint;
-  vec2 across = sc_pixel.xy * vec2(offset);
-  result.edge = vec3(across + sc_pixel.w * away * (sc_rays.xy + sc_rays.zw * vec2(pixel)), -away);
+  result.edge = sc_edge(c, offset, depth);
   result.normal_change = normal.xyz - c.normal;
 #if SC_RULE == 1
   result.is_usable = abs(offset.x) == 1 || abs(offset.y) == 1 ||
                      !(abs(result.edge.z) * c.footprint > sc_largest_distance_difference);
 #elif SC_RULE == 2
   float squared_length = dot(result.edge, result.edge);
+  vec2 across = sc_pixel.xy * vec2(offset);
   float rise = dot(c.normal + normal.xyz, result.edge);
-  result.is_usable = !(squared_length > 4 * dot(across, across) && rise * rise > 0.25 * squared_length);
+  bool is_doubtful = squared_length > 4 * dot(across, across) && rise * rise > 0.25 * squared_length;
+  // unless the points before or behind the edge are in line with it
+  result.is_usable =
+      !is_doubtful || sc_is_in_line(c, -offset, result.edge, 1) || sc_is_in_line(c, 2 * offset, result.edge, -2);
 #else
   result.is_usable = true;
 #endif
