@@ -317,6 +317,13 @@ BOOST_AUTO_TEST_CASE(bad_input)
     BOOST_TEST(std::count(r.status.begin(), r.status.end(), S::FEW_NEIGHBOURS) == i + 1);
   }
 
+  for(const double unit : {1e-200, 1e-155, 1e155, 1e200}) // whose square is no number any more
+  {
+    Mesh large;
+    CGAL::make_icosahedron(large, Point(0., 0., 0.), unit);
+    BOOST_CHECK_NO_THROW(of_mesh(large, np::callback([](double) { return true; })));
+  }
+
   Cloud cloud = random_cloud(300, 5);
   const auto parameters = np::saliency_scale(.03);
   const Result good = saliency(cloud, parameters);

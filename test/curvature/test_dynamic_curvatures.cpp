@@ -292,4 +292,41 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   }
 }
 
+// A vertex of one face asks for others, in further rings if need be. Whether there are enough of them depends on normals far away.
+BOOST_AUTO_TEST_CASE(strips)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Surface_mesh strip;
+  for(int k = 0; k < 9; ++k)
+    strip.add_vertex(Kernel::Point_3(k, k % 2, .1 * (k % 3)));
+  for(unsigned k = 0; k + 2 < 9; ++k)
+    strip.add_face(Vertex(k), Vertex(k % 2 == 0 ? k + 2 : k + 1), Vertex(k % 2 == 0 ? k + 1 : k + 2));
+  const std::vector<Kernel::Point_3> original = {strip.points().begin(), strip.points().end()};
+  for(const unsigned broken : {3u, 5u})
+  {
+    strip.point(Vertex(broken)) = strip.point(Vertex(broken + 1)) = Kernel::Point_3(nan, 0, 0);
+    Maps maps(strip, std::to_string(broken)), whole(strip, " of the whole" + std::to_string(broken));
+    const auto np = maps.parameters();
+    SC::Dynamic_rusinkiewicz_curvatures<Surface_mesh, std::decay_t<decltype(np)> > dynamic(strip, np);
+    const auto check = [&](const std::vector<Vertex>& moved)
+    {
+      BOOST_TEST(dynamic.update(moved) == SC::rusinkiewicz_curvatures(strip, whole.parameters()));
+      BOOST_TEST(first_difference(strip, maps, whole) == strip.number_of_vertices());
+    };
+    for(unsigned k = 0; k < 8; ++k)
+    {
+      const std::vector<Vertex> two = {Vertex(k), Vertex(k + 1)};
+      for(const Vertex v : two)
+        strip.point(v) = original[5];
+      check(two);
+      for(const Vertex v : two)
+        strip.point(v) = Kernel::Point_3(nan, 0, 0);
+      check(two);
+      for(const Vertex v : two)
+        strip.point(v) = original[v];
+      check(two);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -341,7 +341,19 @@ BOOST_AUTO_TEST_CASE(one_sample_threads_and_types)
   }
 #endif
 
-  // whole numbers, in another container
+  // whole numbers of any kind, in another container
+  const auto of_type = [](auto zero)
+  {
+    std::vector<decltype(zero)> depths;
+    for(int k = 0; k < 12; ++k)
+      depths.push_back(decltype(zero)((k % 4) * (k % 4)));
+    std::vector<double> mean(12);
+    SC::height_grid_curvatures(depths, 4, 1., 1.,
+                               SC::parameters::mean_curvature_map(CGAL::make_property_map(mean)));
+    return mean[5];
+  };
+  for(const double m : {of_type(std::uint8_t()), of_type(std::uint16_t()), of_type(std::int64_t())})
+    BOOST_TEST(std::abs(m + 1. / std::pow(1. + 4., 1.5)) < 1e-15);
   const std::deque<int> heights = {0, 1, 4, 9, 0, 1, 4, 9, 0, 1, 4, 9};
   std::vector<double> mean(12);
   BOOST_TEST(SC::height_grid_curvatures(heights, 4, 1., 1.,

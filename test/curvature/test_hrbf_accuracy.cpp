@@ -529,6 +529,24 @@ BOOST_AUTO_TEST_CASE(exactness_is_checked)
   }
 }
 
+// A normal that is said to be exact and lies in the surface is no normal of it: nothing is said of that vertex.
+BOOST_AUTO_TEST_CASE(exact_normals_in_the_surface)
+{
+  const Analytic_surface original = test_support::ellipsoid(1., .8, .6, 4, .15);
+  Analytic_surface s = original;
+  const std::size_t i = 77;
+  const Eigen::Vector3d n(s.exact[i].normal[0], s.exact[i].normal[1], s.exact[i].normal[2]);
+  const Eigen::Vector3d across = n.unitOrthogonal();
+  s.exact[i].normal = {across.x(), across.y(), across.z()};
+  for(const bool is_shared : {false, true})
+  {
+    const Result result = is_shared ? run(shared_exact, s, Normals::EXACT) : run(exact, s, Normals::EXACT);
+    BOOST_TEST((result.status[i] == SC::Estimation_status::DEGENERATE));
+    BOOST_TEST(result.failures == 1u);
+  }
+  BOOST_TEST(run(exact, original, Normals::EXACT).failures == 0u);
+}
+
 // Points beside the surface contradict exact normals, too.
 BOOST_AUTO_TEST_CASE(exactness_is_checked_of_points)
 {

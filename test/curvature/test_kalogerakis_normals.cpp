@@ -18,6 +18,7 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <random>
 #include <stdexcept>
 
 BOOST_AUTO_TEST_SUITE(kalogerakis_normals)
@@ -179,6 +180,35 @@ BOOST_AUTO_TEST_CASE(one_vertex_and_threads)
       BOOST_TEST(parallel[v] == all[v]);
       BOOST_TEST((status[v] == (s.exact[v.idx()].border ? SC::Estimation_status::BORDER
                                                         : SC::Estimation_status::ESTIMATED)));
+    }
+  }
+}
+
+// Where a surface is folded, fits fail, and ask for more neighbors: in other passes, for others.
+BOOST_AUTO_TEST_CASE(one_vertex_of_folded_surfaces)
+{
+  for(unsigned int seed = 0; seed < 30; ++seed)
+  {
+    Analytic_surface s = test_support::waves(.1, 4., 1., 9, .2, seed);
+    std::mt19937 random(seed);
+    for(int k = 0; k < 3; ++k)
+    {
+      auto& p = s.points[random() % s.points.size()];
+      for(std::size_t c = 0; c < 3; ++c)
+        p[c] += 4. * double(random()) / 4294967296. - 2.;
+    }
+    const Mesh mesh = test_support::build_mesh<Mesh>(s);
+    Mesh copy = mesh;
+    const Normal_map all = normal_map(copy, "v:all");
+    const Status_map status =
+        copy.add_property_map<Mesh::Vertex_index, SC::Estimation_status>("v:status").first;
+    SC::kalogerakis_normals<CGAL::Sequential_tag>(copy, all, SC::parameters::vertex_status_map(status));
+    for(const auto v : vertices(mesh))
+    {
+      Vector_3 n;
+      const SC::Estimation_status of_one = SC::kalogerakis_normals(v, mesh, n);
+      BOOST_TEST((of_one == status[v]));
+      BOOST_TEST((n == all[v] || !SC::is_estimated(of_one)), "seed " << seed << ", vertex " << v);
     }
   }
 }

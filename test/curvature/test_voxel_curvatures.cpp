@@ -186,6 +186,31 @@ BOOST_AUTO_TEST_CASE(voxels_of_meshes)
     CGAL::Polygon_mesh_processing::reverse_face_orientations(octahedron);
   }
 
+  // a plate whose walls are cut into slabs, and so large that its columns come in several parts
+  double volume_of_slabs[2] = {};
+  for(const int slabs : {1, 5})
+  {
+    Surface_mesh prism;
+    std::vector<Surface_mesh::Vertex_index> ring[6];
+    for(int k = 0; k <= slabs; ++k)
+      for(const auto& [x, y] :
+          {std::pair(150., 0.), std::pair(300., 150.), std::pair(150., 300.), std::pair(0., 150.)})
+        ring[k].push_back(prism.add_vertex(Point_3(x, y, 1.3 * k / slabs)));
+    for(int k = 0; k < slabs; ++k)
+      for(int c = 0; c < 4; ++c)
+      {
+        prism.add_face(ring[k][c], ring[k][(c + 1) % 4], ring[k + 1][(c + 1) % 4]);
+        prism.add_face(ring[k][c], ring[k + 1][(c + 1) % 4], ring[k + 1][c]);
+      }
+    prism.add_face(ring[0][0], ring[0][2], ring[0][1]);
+    prism.add_face(ring[0][0], ring[0][3], ring[0][2]);
+    prism.add_face(ring[slabs][0], ring[slabs][1], ring[slabs][2]);
+    prism.add_face(ring[slabs][0], ring[slabs][2], ring[slabs][3]);
+    volume_of_slabs[slabs > 1] = SC::voxelize(prism, .9).volume_in_ball(Point_3(150., 150., 0.), 1000.);
+    BOOST_TEST(std::abs(volume_of_slabs[slabs > 1] / (45000. * 1.3) - 1.) < 1e-3);
+  }
+  BOOST_TEST(volume_of_slabs[0] == volume_of_slabs[1]);
+
   const Analytic_surface s = test_support::sphere(1., 5);
   const Surface_mesh sphere = surface_mesh_of(s);
   BOOST_TEST(std::abs(total(SC::voxelize(sphere, .05)) / (4. * CGAL_PI / 3.) - 1.) < 3e-3);
@@ -277,7 +302,7 @@ BOOST_AUTO_TEST_CASE(planes_are_flat)
 {
   const SC::Voxel_octree octree({20, 20, 20}, Point_3(0., 0., 0.), {.1, .1, .1},
                                 [](std::size_t, std::size_t j, std::size_t) { return j < 10; });
-  for(const double height : {0., .03, -.07})
+  for(const double height : {0., .03, -.07, .15, -.2, .3, -.34})
   {
     Items items(1);
     std::get<0>(items[0]) = Point_3(1.02, 1. + height, .97);
@@ -285,6 +310,24 @@ BOOST_AUTO_TEST_CASE(planes_are_flat)
     BOOST_TEST(std::abs(std::get<2>(items[0]).max_curvature) < 2e-3);
     BOOST_TEST(std::abs(std::get<2>(items[0]).min_curvature) < 2e-3);
     BOOST_TEST((std::get<5>(items[0]) == SC::Estimation_status::ESTIMATED));
+  }
+  for(const double height : {.42, -.5, .58}) // of a surface that is too far away, in a ball of radius .6
+  {
+    Items items(1);
+    std::get<0>(items[0]) = Point_3(1.02, 1. + height, .97);
+    BOOST_TEST(estimate(octree, items, .6, Normals_of_items::OF_THE_VOXELS) == 1u);
+    BOOST_TEST((std::get<5>(items[0]) == SC::Estimation_status::DEGENERATE));
+  }
+  // a plate: one side of it behind the other one
+  const SC::Voxel_octree plate({20, 20, 20}, Point_3(0., 0., 0.), {.1, .1, .1},
+                               [](std::size_t, std::size_t j, std::size_t) { return j == 9 || j == 10; });
+  for(const double y : {.9, 1.1})
+  {
+    Items items(1);
+    std::get<0>(items[0]) = Point_3(1.02, y, .97);
+    BOOST_TEST(estimate(plate, items, .6, Normals_of_items::OF_THE_VOXELS) == 1u);
+    BOOST_TEST(estimate(plate, items, .15, Normals_of_items::OF_THE_VOXELS) == 0u);
+    BOOST_TEST(std::abs(std::get<3>(items[0])) < 2e-2);
   }
   Items items(1);
   std::get<0>(items[0]) = Point_3(.3, 1., 1.); // the solid reaches the end of the grid

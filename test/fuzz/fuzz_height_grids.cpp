@@ -1,3 +1,5 @@
+#include "fuzzed_data.h"
+
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/Principal_curvatures_and_directions.h>
@@ -6,14 +8,9 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/property_map.h>
 
-#include <fuzzer/FuzzedDataProvider.h>
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <stdexcept>
 #include <vector>
 
@@ -23,23 +20,9 @@ namespace SC = Shape_characteristics;
 using Kernel = CGAL::Simple_cartesian<double>;
 using Curvatures = SC::Principal_curvatures_and_directions<Kernel>;
 
-void require(bool holds, const char* what)
+void require(bool holds, const char* complaint)
 {
-  if(holds)
-    return;
-  std::fprintf(stderr, "height_grid_curvatures: %s\n", what);
-  std::abort();
-}
-
-// usual, or any bits at all
-double number(FuzzedDataProvider& data)
-{
-  if(data.ConsumeIntegralInRange<int>(0, 7) != 0)
-    return double(data.ConsumeIntegral<std::int8_t>()) / 16.;
-  const std::uint64_t bits = data.ConsumeIntegral<std::uint64_t>();
-  double x;
-  std::memcpy(&x, &bits, sizeof(x));
-  return x;
+  fuzz::require(holds, "height_grid_curvatures", complaint);
 }
 
 } // namespace
@@ -49,11 +32,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
 {
   FuzzedDataProvider data(bytes, size);
   const std::size_t columns = data.ConsumeIntegralInRange<std::size_t>(0, 9);
-  const double spacing_u = number(data), spacing_v = number(data);
+  const double spacing_u = fuzz::number(data), spacing_v = fuzz::number(data);
   std::vector<double> heights;
   for(std::size_t n = columns * data.ConsumeIntegralInRange<std::size_t>(0, 9) + data.ConsumeBool(); n > 0;
       --n)
-    heights.push_back(number(data));
+    heights.push_back(fuzz::number(data));
 
   std::vector<Curvatures> curvatures(heights.size());
   std::vector<SC::Estimation_status> statuses(heights.size(), SC::Estimation_status::CANCELLED);

@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -198,6 +199,43 @@ BOOST_AUTO_TEST_CASE(neither_unit_nor_mesh_type_matters)
     for(std::size_t i = 0; i < expected.size(); ++i)
       check_equal(found[i], expected[i], 1e-7);
   }
+}
+
+// The squares of such curvatures are no numbers any more.
+BOOST_AUTO_TEST_CASE(extraordinary_curvatures)
+{
+  const Mesh mesh = test_support::build_mesh<Mesh>(test_support::torus(1., .4, 12, 8));
+  std::vector<std::array<double, 2> > values, scaled;
+  for(std::size_t i = 0; i < mesh.number_of_vertices(); ++i)
+    values.push_back({-1. - .01 * double(i), 2. + .03 * double(i)});
+  const auto expected =
+      descriptors(mesh, SC::parameters::averaging_radius(.05).curvature_estimator(Given_curvatures{&values}));
+  for(const int exponent : {-600, 600, 1000})
+  {
+    scaled = values;
+    for(auto& [low, high] : scaled)
+    {
+      low = std::ldexp(low, exponent);
+      high = std::ldexp(high, exponent);
+    }
+    const auto found = descriptors(
+        mesh, SC::parameters::averaging_radius(.05).curvature_estimator(Given_curvatures{&scaled}));
+    for(std::size_t i = 0; i < expected.size(); ++i)
+      check_equal(found[i], expected[i], 0.);
+  }
+}
+
+// Points of an exact kernel: curvatures are numbers all the same.
+BOOST_AUTO_TEST_CASE(exact_points)
+{
+  const test_support::Analytic_surface torus = test_support::torus(1., .4, 12, 8);
+  using Exact_point = CGAL::Exact_predicates_exact_constructions_kernel::Point_3;
+  const auto exact = descriptors(test_support::build_mesh<CGAL::Surface_mesh<Exact_point> >(torus),
+                                 SC::parameters::averaging_radius(.05));
+  const auto expected =
+      descriptors(test_support::build_mesh<Mesh>(torus), SC::parameters::averaging_radius(.05));
+  for(std::size_t i = 0; i < expected.size(); ++i)
+    check_equal(exact[i], expected[i], 0.);
 }
 
 BOOST_AUTO_TEST_CASE(size_of_a_pose)

@@ -614,6 +614,22 @@ BOOST_AUTO_TEST_CASE(singular_systems_are_announced)
     check(SC::Hermite_rbf_interpolant(cloud.points, cloud.normals, SC::Inverse_multiquadric()));
     cloud.normals.back() = Vector_3(0, 0, 1);
   }
+  // two that are nearly one: no reason for basis functions that are too narrow for all the others
+  for(const double distance : {1e-4, 1e-6, 1e-8, 1e-10, 1e-14})
+  {
+    cloud.points.back() = cloud.points[3] + Vector_3(distance, 0., 0.);
+    cloud.normals.back() = cloud.normals[3];
+    const SC::Hermite_rbf_interpolant f(cloud.points, cloud.normals, SC::Inverse_multiquadric());
+    const SC::Hermite_rbf_interpolant g(std::vector<Point_3>(cloud.points.begin(), cloud.points.end() - 1),
+                                        std::vector<Vector_3>(cloud.normals.begin(), cloud.normals.end() - 1),
+                                        SC::Inverse_multiquadric());
+    BOOST_TEST(g.is_valid());
+    if(f.is_valid())
+      BOOST_TEST(f.basis_function().shape_parameter() > .9 * g.basis_function().shape_parameter());
+    if(f.is_valid())
+      BOOST_TEST(f.basis_function().shape_parameter() < 1.1 * g.basis_function().shape_parameter());
+  }
+  check(SC::Hermite_rbf_interpolant(cloud.points, cloud.normals, SC::Polyharmonic<3>()));
   // all the same
   check(SC::Hermite_rbf_interpolant(std::vector<Point_3>(5, Point_3(1, 1, 1)),
                                     std::vector<Vector_3>(5, Vector_3(0, 0, 1))));

@@ -507,6 +507,16 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
                         says("coordinate"));
   BOOST_CHECK_EXCEPTION(patch.set_neighbor(1, Point(1, 1, 0), Vector(0, 0, 0)), std::invalid_argument,
                         says("normal"));
+  BOOST_CHECK_EXCEPTION(patch.set_neighbor(1, Point(1, 1e100, 0), normals[0]), std::invalid_argument,
+                        says("too large"));
+
+  // an edge without length has nothing to blend
+  Png1 needle({points[0], points[1], points[1]}, normals);
+  for(unsigned int k = 0; k < 3; ++k)
+    needle.set_neighbor(k, Point(1, 1, 1), normals[0]);
+  for(const std::array<double, 3>& c : {std::array<double, 3>{.2, .3, .5}, std::array<double, 3>{0., .5, .5},
+                                        std::array<double, 3>{1., 0., 0.}})
+    BOOST_TEST(eigen(needle.point(c)).allFinite());
 
   // corners at one point, or on a line, make patches that are points or curves
   const Pn point({points[0], points[0], points[0]}, normals);

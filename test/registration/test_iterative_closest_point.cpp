@@ -342,6 +342,15 @@ BOOST_AUTO_TEST_CASE(bad_input)
                     std::invalid_argument);
   BOOST_CHECK_THROW(align(points, points, identity, P::minimum_normal_cosine(1.)), std::invalid_argument);
   BOOST_CHECK_THROW(align(points, points, identity, P::number_of_iterations(0)), std::invalid_argument);
+  // however far points may be apart in the beginning, in the end they may not
+  Eigen::Isometry3d near = identity;
+  near.translation() = Eigen::Vector3d(.02, -.01, .01);
+  for(const double distance : {1., 1e3, 1e300, inf})
+  {
+    const Rigid_alignment result = align(points, points, near, P::maximum_correspondence_distance(distance));
+    BOOST_TEST(result.has_converged);
+    BOOST_TEST(difference(result, identity, points) < 1e-6);
+  }
   const Rigid_alignment one = align(points, points, identity, P::number_of_iterations(1));
   BOOST_TEST(one.number_of_iterations == 1u);
   BOOST_TEST(!one.has_converged);

@@ -285,6 +285,13 @@ BOOST_AUTO_TEST_CASE(samples_of_the_rows)
   BOOST_TEST((SC::match_descriptors(
                   a, b, SC::parameters::target_samples(std::cref(of_b)).source_samples(std::cref(of_a))) ==
               expected));
+  for(const std::int64_t number : {std::int64_t(-1), std::int64_t(1) << 32})
+  {
+    std::vector<std::int64_t> out_of_range(of_a.begin(), of_a.end());
+    out_of_range[7] = number;
+    BOOST_CHECK_THROW(SC::match_descriptors(a, b, SC::parameters::source_samples(out_of_range)),
+                      std::invalid_argument);
+  }
   of_a.pop_back();
   BOOST_CHECK_THROW(SC::match_descriptors(a, b, SC::parameters::source_samples(of_a)), std::invalid_argument);
 }

@@ -265,12 +265,14 @@ BOOST_AUTO_TEST_CASE(connectivity)
         BOOST_TEST(neighbors.number_of_faces() == 0u);
         BOOST_TEST(neighbors.is_triangle_mesh() == both.is_triangle_mesh());
         BOOST_TEST(neighbors.mean_spacing() == both.mean_spacing());
+        BOOST_TEST(faces.mean_spacing() == both.mean_spacing());
         Face_graph_samples::Workspace of_both, of_faces, of_neighbors;
         for(std::size_t i = 0; i < both.size(); ++i)
         {
           const Indices& expected = both.neighbors(i, 9, of_both);
           BOOST_TEST((faces.neighbors(i, 9, of_faces) == expected));
           BOOST_TEST((neighbors.neighbors(i, 9, of_neighbors) == expected));
+          BOOST_TEST(faces.spacing(i) == both.spacing(i));
           BOOST_TEST((faces.status(i) == both.status(i) && neighbors.status(i) == both.status(i)));
           const auto [begin, end] = both.incident_faces(i);
           const auto of_i = faces.incident_faces(i);

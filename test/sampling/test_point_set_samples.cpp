@@ -94,7 +94,7 @@ std::vector<Point_3> coordinates(const std::vector<Point_3>& points, const Indic
 BOOST_AUTO_TEST_CASE(nearest)
 {
   for(const std::vector<Point_3>& points : {random_points(300, 1), grid(8), random_points(10, 2)})
-    for(const std::size_t k : {1u, 6u, 18u, 1000u})
+    for(const std::size_t k : {1u, 6u, 18u, 70u, 140u, 1000u})
     {
       const Point_set_samples samples = samples_of(points, Neighborhood::nearest(k));
       BOOST_REQUIRE(samples.size() == points.size());
@@ -246,6 +246,34 @@ BOOST_AUTO_TEST_CASE(normals)
         std::remove_if(expected.begin(), expected.end(), [](const auto j) { return j == 5 || j == 6; }),
         expected.end());
     BOOST_TEST((samples.neighbors(i, 0, workspace) == expected));
+  }
+}
+
+// Points without normals don't take the place of others: the neighbors are those that there would be without them.
+BOOST_AUTO_TEST_CASE(as_many_as_are_wanted_with_normals)
+{
+  std::vector<Point_3> points = random_points(300, 11);
+  points.push_back(points[4]); // a copy, without a normal
+  for(const std::size_t k : {4u, 18u, 100u})
+  {
+    Point_set_samples samples = samples_of(points, Neighborhood::nearest(k));
+    const auto has_normal = [](const std::size_t i) { return i % 3 == 1; };
+    std::vector<Eigen::Vector3d> normals;
+    for(std::size_t i = 0; i < points.size(); ++i)
+      normals.push_back(has_normal(i) ? Eigen::Vector3d(0., 0., 1.) : Eigen::Vector3d(0., 0., 0.));
+    samples.set_normals(normals);
+    Point_set_samples::Workspace workspace;
+    for(std::size_t i = 0; i < points.size(); ++i)
+    {
+      Indices expected;
+      for(const auto j : plain_order(points, i))
+        if(has_normal(j))
+          expected.push_back(j);
+      expected.resize((std::min)(k, expected.size()));
+      BOOST_TEST((samples.neighbors(i, 0, workspace) == expected), "k " << k << ", point " << i);
+    }
+    BOOST_TEST(!samples.has_coincident_points(4));
+    BOOST_TEST(samples.has_coincident_points(300));
   }
 }
 

@@ -379,6 +379,16 @@ BOOST_AUTO_TEST_CASE(rays_and_bad_inputs)
   for(std::size_t i = 0; i < light.size(); ++i)
     BOOST_TEST(std::isnan(light[i]) == (i < 5));
 
+  // rays of any length end somewhere
+  std::vector<float> far(light.size());
+  SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(far).maximum_ray_length(infinity));
+  for(const double length : {1e10, 1e200, std::numeric_limits<double>::max()})
+  {
+    SC::ray_cast_ambient_occlusion(mesh, g_buffer, into(light).maximum_ray_length(length));
+    for(std::size_t i = 5; i < light.size(); ++i)
+      BOOST_TEST(light[i] == far[i]);
+  }
+
   // no pixels, no mesh, one without an area
   std::vector<float> no_light;
   BOOST_TEST(SC::ray_cast_ambient_occlusion(mesh, SC::G_buffer(), into(no_light)) == 0u);

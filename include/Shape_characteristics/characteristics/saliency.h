@@ -8,6 +8,7 @@
 #include <Shape_characteristics/curvature/given_or_estimated_curvatures.h>
 #include <Shape_characteristics/internal/callback_of.h>
 #include <Shape_characteristics/internal/is_face_graph.h>
+#include <Shape_characteristics/internal/length.h>
 #include <Shape_characteristics/internal/put_number.h>
 #include <Shape_characteristics/normals/sampled_surface.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
@@ -48,7 +49,7 @@ double saliency_scale(const SampledSurface& samples, const NamedParameters& np)
     for(std::size_t i = 0; i < samples.size(); ++i)
       if(is_estimated(samples.status(i)))
         box.extend(samples.point(i));
-    return box.isEmpty() ? 0. : (std::max)(.003 * box.diagonal().norm(), .5 * samples.mean_spacing());
+    return box.isEmpty() ? 0. : (std::max)(.003 * length(box.diagonal()), .5 * samples.mean_spacing());
   }
 }
 

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <stdexcept>
 #include <unordered_map>
@@ -97,6 +98,14 @@ public:
       m_index_of.emplace(v, Index(m_vertices.size()));
       m_vertices.push_back(v);
     }
+    m_is_usable.resize(m_samples.size());
+    for(std::size_t i = 0; i < m_samples.size(); ++i)
+    {
+      m_is_usable[i] = m_samples.is_usable(i);
+      const auto [begin, end] = m_samples.incident_faces(i);
+      if(end - begin == 1)
+        m_ears.push_back(Index(i));
+    }
     estimate(all());
   }
 
@@ -122,7 +131,7 @@ public:
     \throws std::invalid_argument if one isn't of the mesh
 
     Complexity: linear in the number of faces at the vertices two rings around them, and a bit for each vertex and face of
-    the mesh.
+    the mesh; where points or normals become finite, or cease to be, all vertices of one face are looked at as well.
   */
   template <typename VertexRange>
   std::size_t update(const VertexRange& moved)
@@ -193,7 +202,23 @@ private:
         normals[k] = internal::to_eigen(get(normal_map, m_vertices[near[k]]));
       m_samples.set_normals(near, std::move(normals));
     }
-    return estimate(near.size() == m_samples.size() ? near : with_neighbors(near));
+    // a vertex of one face asks for other vertices, in further rings as well, whose points and normals can be used
+    bool is_other_usable = false;
+    for(const Index i : near)
+    {
+      is_other_usable = is_other_usable || m_is_usable[i] != m_samples.is_usable(i);
+      m_is_usable[i] = m_samples.is_usable(i);
+    }
+    if(near.size() == m_samples.size())
+      return estimate(near);
+    std::vector<Index> seen = with_neighbors(near);
+    if(is_other_usable)
+    {
+      std::vector<Index> both;
+      std::set_union(seen.begin(), seen.end(), m_ears.begin(), m_ears.end(), std::back_inserter(both));
+      seen.swap(both);
+    }
+    return estimate(std::move(seen));
   }
 
   // their points, normals and statuses are seen by the vertices of the faces at them
@@ -257,6 +282,8 @@ private:
   Face_graph_samples m_samples;
   std::vector<vertex_descriptor> m_vertices;
   std::unordered_map<vertex_descriptor, Index> m_index_of;
+  std::vector<bool> m_is_usable;           // as neighbors
+  std::vector<Index> m_ears;               // vertices of one face
   std::vector<Estimation_status> m_status; // FEW_NEIGHBOURS also for duplicates
   std::size_t m_failures, m_few = 0;
   std::vector<Index> m_updated;

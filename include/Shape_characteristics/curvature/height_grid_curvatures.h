@@ -22,6 +22,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace Shape_characteristics {
@@ -192,7 +193,11 @@ private:
 
   double height(std::size_t i) const
   {
-    return CGAL::to_double(m_first[typename std::iterator_traits<Iterator>::difference_type(i)]);
+    const auto& height = m_first[typename std::iterator_traits<Iterator>::difference_type(i)];
+    if constexpr(std::is_arithmetic_v<std::decay_t<decltype(height)> >) // CGAL doesn't know all of them
+      return double(height);
+    else
+      return CGAL::to_double(height);
   }
 
   using Iterator = decltype(std::begin(std::declval<const HeightRange&>()));

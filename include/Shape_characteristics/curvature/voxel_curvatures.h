@@ -14,6 +14,7 @@
 #include <Shape_characteristics/internal/to_eigen.h>
 #include <Shape_characteristics/sampling/Neighborhood.h>
 
+#include <CGAL/number_type_config.h>
 #include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
@@ -75,7 +76,12 @@ public:
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
     const Tangent_frame frame(normal);
-    const std::array<double, 3> s = shape_operator_of_moments(m, frame.t1, frame.t2);
+    double height;
+    const std::array<double, 3> s = shape_operator_of_moments(m, frame.t1, frame.t2, height);
+    const double of_disk = 1. - height * height;
+    if(std::abs(height) > s_largest_height ||
+       length < s_smallest_share * (CGAL_PI / 4.) * of_disk * of_disk) // what it is below a plane
+      return Curvature_estimate(Estimation_status::DEGENERATE);
     const double factor = (cosine < 0. ? -1. : 1.) / m_radius;
     return Curvature_estimate(m_octree.is_cut_off(p, m_radius) ? Estimation_status::BORDER
                                                                : Estimation_status::ESTIMATED,
@@ -86,6 +92,10 @@ public:
 private:
   // Of what is inside, or of what is not, there is next to nothing in the ball: it doesn't meet a surface.
   static constexpr double s_smallest_moment = 1e-3;
+  // Farther from the surface, in radii, curvatures can't be told from heights.
+  static constexpr double s_largest_height = 0.6;
+  // With less, another surface cuts off what should be there: of a plate, one thinner than .4 radii.
+  static constexpr double s_smallest_share = 0.3;
   // A normal that is nearly tangential tells no side.
   static constexpr double s_smallest_cosine = 0.1;
 
@@ -105,7 +115,7 @@ private:
 
   The method is that of `integral_invariant_curvatures()`: the second moments of the solid in a ball around each point. They are
   those of the voxels, exactly. In contrast to meshes, all that is in the ball counts: a solid that is thinner than the radius
-  has two surfaces in it.
+  has two surfaces in it, and curvatures that are wrong.
 
   The points need to be near the surface only: `Voxel_octree::surface_points()`, the vertices of a mesh from which the voxels
   were made, or points that anybody measured. An offset of the order of a voxel changes little, since the height of the surface
@@ -146,8 +156,8 @@ private:
   \cgalNamedParamsEnd
 
   \return the number of points that could not be estimated. Their values are quiet NaN, their status says why:
-          `NON_FINITE_INPUT`, or `DEGENERATE` where the ball meets no surface, or a given normal is within some 6° of the
-          tangent plane. The status is `BORDER` where the ball leaves the grid on a side on which the solid reaches the end of
+          `NON_FINITE_INPUT`, or `DEGENERATE` where the ball meets no surface, or one farther away than .6 radii, or another one
+          within .4 radii behind it, or a given normal is within some 6° of the tangent plane. The status is `BORDER` where the ball leaves the grid on a side on which the solid reaches the end of
           the grid.
 
   \throws std::invalid_argument if `neighbor_radius` is not positive, or not finite

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 #include <type_traits>
@@ -27,25 +28,93 @@
 namespace Shape_characteristics {
 namespace internal {
 
-// Scan conversion along columns of the z axis, in units of a voxel.
+// Scan conversion along columns of the z axis, in units of a voxel: of some rows of columns at a time, so that what the columns cross
+// doesn't take more memory than the voxels do.
 class Voxel_columns
 {
   using Predicates = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Point_2 = Predicates::Point_2;
 
 public:
+  using Triangle = std::array<Eigen::Vector3d, 3>; // in voxels, from the corner of the grid
+
   // `columns_per_voxel` along x and along y
   Voxel_columns(const std::array<std::size_t, 3>& size, std::size_t columns_per_voxel)
     : m_size(size),
       m_fineness(columns_per_voxel)
   {}
 
-  // the points in voxels, from the corner of the grid
-  void add_triangle(const std::array<Eigen::Vector3d, 3>& p)
+  // the shares of the voxels that are inside, x first; or whether their centers are
+  std::vector<float> values(const std::vector<Triangle>& triangles, bool are_binary)
   {
+    std::vector<float> shares(m_size[0] * m_size[1] * m_size[2], 0.f);
     const std::size_t columns = m_size[0] * m_fineness, rows = m_size[1] * m_fineness;
-    const auto [x_begin, x_end] = range(p, 0, columns);
-    const auto [y_begin, y_end] = range(p, 1, rows);
+    const std::size_t rows_at_once =
+        (std::max)(s_columns_at_once / (std::max)(columns, std::size_t(1)), std::size_t(1));
+    for(std::size_t begin = 0; begin < rows; begin += rows_at_once)
+    {
+      m_crossings.clear();
+      for(const Triangle& t : triangles)
+        add_triangle(t, begin, (std::min)(begin + rows_at_once, rows));
+      add_shares(are_binary, shares);
+    }
+    for(float& share : shares)
+      share = share > 1.f - 1e-6f ? 1.f : share; // sums of rounded shares
+    return shares;
+  }
+
+private:
+  static constexpr std::size_t s_columns_at_once = std::size_t(1) << 20;
+
+  struct Crossing
+  {
+    std::size_t column;
+    double z;
+    int side; // 1 into the solid, going up; -1 out of it
+  };
+
+  // the columns over the numbers from `low` to `high`
+  std::pair<std::size_t, std::size_t>
+  range(double low, double high, std::size_t first, std::size_t count) const
+  {
+    const double begin = std::floor(low * double(m_fineness) - .5),
+                 end = std::ceil(high * double(m_fineness) - .5) + 1.;
+    return {std::size_t((std::max)(begin, double(first))),
+            std::size_t((std::min)((std::max)(end, 0.), double(count)))};
+  }
+
+  // where a triangle is to be found in the row at `y`: the smallest and the largest x, to within a column
+  static std::pair<double, double> extent(const Triangle& p, double y)
+  {
+    constexpr double flat = 1e-6; // slope of an edge of which rounding could tell too little
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    const auto extend = [&](const double x)
+    {
+      low = (std::min)(low, x);
+      high = (std::max)(high, x);
+    };
+    for(std::size_t k = 0; k < 3; ++k)
+    {
+      const Eigen::Vector3d &a = p[k], &b = p[(k + 1) % 3];
+      if(!((std::min)(a.y(), b.y()) <= y && y <= (std::max)(a.y(), b.y())))
+        continue;
+      const Eigen::Vector3d d = b - a;
+      if(!(std::abs(d.y()) > flat * std::abs(d.x())))
+      {
+        extend(a.x());
+        extend(b.x());
+      }
+      else
+        extend(a.x() + (y - a.y()) / d.y() * d.x());
+    }
+    return {low, high};
+  }
+
+  void add_triangle(const Triangle& p, std::size_t first_row, std::size_t end_row)
+  {
+    const std::size_t columns = m_size[0] * m_fineness;
+    const auto [y_low, y_high] = std::minmax({p[0].y(), p[1].y(), p[2].y()});
+    const auto [y_begin, y_end] = range(y_low, y_high, first_row, end_row);
     const double low = (std::min)({p[0].z(), p[1].z(), p[2].z()}),
                  high = (std::max)({p[0].z(), p[1].z(), p[2].z()});
     std::array<Point_2, 3> q;
@@ -53,9 +122,16 @@ public:
       q[k] = Point_2(p[k].x(), p[k].y());
     const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
     for(std::size_t j = y_begin; j < y_end; ++j)
+    {
+      const double y = (double(j) + .5) / double(m_fineness);
+      const auto [x_low, x_high] = extent(p, y);
+      if(!(x_low <= x_high))
+        continue;
+      const double column_width = 1. / double(m_fineness);
+      const auto [x_begin, x_end] = range(x_low - column_width, x_high + column_width, 0, columns);
       for(std::size_t i = x_begin; i < x_end; ++i)
       {
-        const double x = (double(i) + .5) / double(m_fineness), y = (double(j) + .5) / double(m_fineness);
+        const double x = (double(i) + .5) / double(m_fineness);
         const Point_2 column(x, y);
         const int side = turn(q[0], q[1], column);
         if(side != turn(q[1], q[2], column) || side != turn(q[2], q[0], column))
@@ -64,16 +140,16 @@ public:
         z = z > low ? (std::min)(z, high) : low; // also if the normal is horizontal
         m_crossings.push_back({i + columns * j, z, side});
       }
+    }
   }
 
-  // the shares of the voxels that are inside, x first; or whether their centers are
-  std::vector<float> values(bool are_binary)
+  // what the columns that were crossed say
+  void add_shares(bool are_binary, std::vector<float>& shares)
   {
     std::sort(m_crossings.begin(), m_crossings.end(),
               [](const Crossing& a, const Crossing& b)
               { return std::tie(a.column, a.z, a.side) < std::tie(b.column, b.z, b.side); });
     const std::size_t columns = m_size[0] * m_fineness;
-    std::vector<float> shares(m_size[0] * m_size[1] * m_size[2], 0.f);
     const double weight = 1. / double(m_fineness * m_fineness);
     int winding = 0;
     for(std::size_t c = 0; c + 1 < m_crossings.size(); ++c)
@@ -94,27 +170,6 @@ public:
           share += float(weight * ((std::min)(end, z + 1.) - (std::max)(begin, z)));
       }
     }
-    for(float& share : shares)
-      share = share > 1.f - 1e-6f ? 1.f : share; // sums of rounded shares
-    return shares;
-  }
-
-private:
-  struct Crossing
-  {
-    std::size_t column;
-    double z;
-    int side; // 1 into the solid, going up; -1 out of it
-  };
-
-  // the columns over the box of a triangle
-  std::pair<std::size_t, std::size_t>
-  range(const std::array<Eigen::Vector3d, 3>& p, int axis, std::size_t count) const
-  {
-    const auto [low, high] = std::minmax({p[0][axis], p[1][axis], p[2][axis]});
-    const double begin = std::floor(low * double(m_fineness) - .5),
-                 end = std::ceil(high * double(m_fineness) - .5) + 1.;
-    return {std::size_t((std::max)(begin, 0.)), std::size_t((std::min)((std::max)(end, 0.), double(count)))};
   }
 
   // On which side of the line from a to b the point is: exactly, and as if the point was moved by a little to the right and
@@ -165,7 +220,8 @@ private:
   \throws std::invalid_argument if the mesh is not closed, a face is not a triangle, a point is not finite, or `voxel_size` is
           not positive or so small that there would be more than \f$ 2^{31} \f$ voxels, or \f$ 2^{20} \f$ along an axis
 
-  Complexity: linear in the number of voxels and of lines through triangles, 4 bytes a voxel while it works.
+  Complexity: linear in the number of voxels, of lines through triangles, and of rows of lines at triangles; 4 bytes a voxel while it
+  works, 72 bytes a triangle, and some 100 MB.
 
   \cgalExample{curvature/voxel_curvatures.cpp}
 */
@@ -222,12 +278,9 @@ Voxel_octree voxelize(const FaceGraph& mesh,
   const bool are_binary = values == Voxel_values::BINARY;
   internal::Voxel_columns columns(size, are_binary ? 1 : columns_per_voxel);
   for(std::array<Eigen::Vector3d, 3>& t : triangles)
-  {
     for(Eigen::Vector3d& p : t)
       p = (p - origin) / voxel_size;
-    columns.add_triangle(t);
-  }
-  const std::vector<float> shares = columns.values(are_binary);
+  const std::vector<float> shares = columns.values(triangles, are_binary);
   using Point_3 = CGAL::Simple_cartesian<double>::Point_3;
   return Voxel_octree(size, Point_3(origin.x(), origin.y(), origin.z()), {voxel_size, voxel_size, voxel_size},
                       [&](std::size_t i, std::size_t j, std::size_t k)

@@ -101,7 +101,7 @@ private:
 
     // Several histograms, as one pair after the other falls into the same bin, and would wait for the one before. Their
     // column after the last is for pairs without features.
-    std::array<std::array<std::uint32_t, dimension() + 1>, s_histograms> histograms{};
+    std::array<std::array<std::uint64_t, dimension() + 1>, s_histograms> histograms{};
     Bins bins;
     std::array<std::int32_t, Bins::lanes> column;
     for(std::size_t j = 1; j < points.size(); ++j)

@@ -54,6 +54,30 @@ inline void map_to_unit_interval(std::vector<Characteristics_of_vertex>& charact
   }
 }
 
+// All are mapped to where they lie between others, so that the unit doesn't matter: the largest curvature is about 1, or squares
+// might overflow.
+template <typename Curvatures>
+std::vector<Characteristics_of_vertex> characteristics_without_unit(const std::vector<Curvatures>& curvatures)
+{
+  using FT = decltype(Curvatures::min_curvature);
+  double largest = 0.;
+  for(const Curvatures& c : curvatures)
+    for(const FT& k : {c.min_curvature, c.max_curvature})
+      if(const double size = std::abs(CGAL::to_double(k)); std::isfinite(size))
+        largest = (std::max)(largest, size);
+  const int exponent = largest > 0. ? std::ilogb(largest) : 0;
+  std::vector<Characteristics_of_vertex> result;
+  result.reserve(curvatures.size());
+  for(Curvatures c : curvatures)
+  {
+    c.min_curvature = FT(std::ldexp(CGAL::to_double(c.min_curvature), -exponent));
+    c.max_curvature = FT(std::ldexp(CGAL::to_double(c.max_curvature), -exponent));
+    result.push_back({CGAL::to_double(shape_index(c)), CGAL::to_double(curvedness(c)),
+                      CGAL::to_double(mean_curvature(c)), CGAL::to_double(Willmore_energy(c))});
+  }
+  return result;
+}
+
 // the longest side of the box around the points that are finite
 inline double longest_side(const Face_graph_samples& samples)
 {
@@ -149,11 +173,8 @@ std::size_t head_descriptors(const FaceGraph& mesh, const NamedParameters& np)
   const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
                                     CGAL::get_const_property_map(CGAL::vertex_point, mesh));
   const auto curvatures = internal::estimate_head_curvatures<ConcurrencyTag>(mesh, np);
-  std::vector<internal::Characteristics_of_vertex> mapped;
-  mapped.reserve(curvatures.values.size());
-  for(const auto& c : curvatures.values)
-    mapped.push_back({CGAL::to_double(shape_index(c)), CGAL::to_double(curvedness(c)),
-                      CGAL::to_double(mean_curvature(c)), CGAL::to_double(Willmore_energy(c))});
+  std::vector<internal::Characteristics_of_vertex> mapped =
+      internal::characteristics_without_unit(curvatures.values);
   internal::map_to_unit_interval(mapped);
 
   double size = 0.;

@@ -103,6 +103,8 @@ public:
     T q, q_1, q_2;
     powers(m_quotient, t, q, q_1, q_2);
     const T s = m.squaredNorm(), s_1 = T(2) * m.dot(m_1), s_2 = T(2) * (m_1.squaredNorm() + m.dot(m_2));
+    if(!(s > T(0))) // neither triangle has an area there
+      return {Vector::Zero(), Vector::Zero(), Vector::Zero()};
     // The control vectors are thirds: a factor of 3 of each of d, n and m, which cancels but for one.
     const T g = -q / (T(2) * s);
     const T g_1 = (-q_1 / T(2) - g * s_1) / s;
@@ -120,7 +122,8 @@ private:
 
   Vector at(int end) const
   {
-    return -(m_quotient[end] / (T(2) * m_normal[end].squaredNorm())) * m_normal[end];
+    const T s = m_normal[end].squaredNorm();
+    return s > T(0) ? Vector(-(m_quotient[end] / (T(2) * s)) * m_normal[end]) : Vector(Vector::Zero());
   }
 
   // control vectors, in Bernstein's basis of degree 4, of the product of two in that of degree 2

@@ -36,10 +36,11 @@ namespace Shape_characteristics {
   neither on the unit of length nor on the position. A shape parameter that is set in the basis function is meant
   relative to that size. One that is not set is chosen such that, at four times the mean distance of a point
   to its nearest neighbor, the basis function is half (if it grows, double) its value at the center; or at two or one times
-  that distance if the system is singular to working precision otherwise (`Gaussian`, for many points).
+  that distance if the system is singular to working precision otherwise (`Gaussian`, for many points), unless the reason is
+  two points that are a hundred times as close as others.
 
   A positive definite basis function gives a positive definite system, which is solved by Cholesky's method; any other one
-  the thesis's, solved by LU with partial pivoting. The system may be singular: two points coincide, or the
+  the thesis's, solved by LU with partial pivoting. The system may be singular: two points coincide, to twelve digits, or the
   basis function is too flat for the given points. Then `is_valid()` is `false` and each evaluation returns quiet NaN.
 
   Construction takes \cgalBigO{m^3} time and \cgalBigO{m^2} memory for \f$ m \f$ points (the system has \f$ 4m \f$
@@ -97,11 +98,15 @@ public:
 
     m_frame = internal::Unit_frame(centers);
     m_frame.apply(centers);
+    const double spacing = internal::mean_spacing(centers), smallest = internal::smallest_distance(centers);
+    if(centers.cols() > 1 && !(smallest > s_coincident * spacing))
+      return; // the matrix is singular, though rounding may hide it
     if constexpr(RadialBasisFunction::has_shape_parameter)
       if(!m_basis_function.is_shape_parameter_set())
       {
-        const double spacing = internal::mean_spacing(centers);
-        for(double reach = 4.; !m_is_valid && reach >= 1.; reach /= 2.)
+        // Two points that are close to each other are no reason for basis functions that don't reach from one of all to the next.
+        const double least_reach = smallest > s_close * spacing ? 1. : 4.;
+        for(double reach = 4.; !m_is_valid && reach >= least_reach; reach /= 2.)
         {
           m_basis_function = internal::shape_parameter_of_half_value(basis_function, reach * spacing);
           solve(centers, directions, polynomial_degree);
@@ -135,6 +140,9 @@ public:
   Matrix hessian(const Point_3& p) const { return jet(p).hessian / m_frame.size(); }
 
 private:
+  // of the mean distance of a point to its nearest neighbor: points that are one, and points that are close
+  static constexpr double s_coincident = 1e-12, s_close = 1e-2;
+
   void solve(const Eigen::Matrix3Xd& centers, const Eigen::Matrix3Xd& directions, int polynomial_degree)
   {
     m_system.clear(m_basis_function, internal::Hermite_trend(), polynomial_degree);
@@ -143,13 +151,11 @@ private:
     for(Eigen::Index i = 0; i < centers.cols(); ++i)
       m_system.add_center(Eigen::Vector3d(centers.col(i)), 0., axes,
                           std::array<double, 3>{directions(0, i), directions(1, i), directions(2, i)});
-    if(internal::has_coincident_points(centers))
-      return; // the matrix is singular, though rounding may hide it
     if constexpr(RadialBasisFunction::is_positive_definite)
       m_is_valid = m_system.solve_positive_definite(0., 0.);
     else
       m_is_valid = m_system.solve_indefinite();
-    m_is_valid = m_is_valid && interpolates(centers);
+    m_is_valid = m_is_valid && interpolates(centers, directions);
   }
 
   internal::Hermite_jet jet(const Point_3& p) const
@@ -164,13 +170,14 @@ private:
   }
 
   // A system that is singular to working precision may be solved without complaint, and wrongly.
-  bool interpolates(const Eigen::Matrix3Xd& centers) const
+  bool interpolates(const Eigen::Matrix3Xd& centers, const Eigen::Matrix3Xd& directions) const
   {
     const double tolerance = std::sqrt(std::numeric_limits<double>::epsilon());
     for(Eigen::Index i = 0; i < centers.cols(); ++i)
     {
       const internal::Hermite_jet at_center = m_system(centers.col(i));
-      if(!(std::abs(at_center.value) <= tolerance && std::abs(at_center.gradient.norm() - 1.) <= tolerance))
+      if(!(std::abs(at_center.value) <= tolerance &&
+           (at_center.gradient - directions.col(i)).norm() <= tolerance))
         return false;
     }
     return true;

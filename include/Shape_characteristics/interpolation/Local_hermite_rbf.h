@@ -176,9 +176,12 @@ private:
     if constexpr(RadialBasisFunction::is_positive_definite)
     {
       const bool is_exact = m_options.normals_are_exact;
-      return neighborhood.collect_evenly(m_surface, i, workspace.surface,
-                                         internal::largest_neighborhood(m_surface.neighborhood(), is_exact),
-                                         internal::Scaled_neighborhood::desired, is_exact);
+      const Estimation_status status = neighborhood.collect_evenly(
+          m_surface, i, workspace.surface, internal::largest_neighborhood(m_surface.neighborhood(), is_exact),
+          internal::Scaled_neighborhood::desired, is_exact);
+      return is_exact && is_estimated(status) && internal::contradicts_others(neighborhood.normals)
+                 ? Estimation_status::DEGENERATE
+                 : status;
     }
     const Estimation_status status = neighborhood.collect(m_surface, i, workspace.surface);
     if constexpr(std::is_same_v<RadialBasisFunction, Exponential_cubic>)

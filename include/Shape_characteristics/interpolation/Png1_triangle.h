@@ -39,7 +39,7 @@ namespace Shape_characteristics {
   curvature at a corner. Parameters are those of `Pn_triangle`. Coordinates must not be negative.
 
   Where two neighboring patches are folded onto each other, with opposite normals, they have no common tangent plane: there
-  points and derivatives may be quiet NaN.
+  points and derivatives may be quiet NaN. Patches without area don't bend others.
 
   All functions take constant time. Coordinates are converted to `double`.
 
@@ -87,7 +87,8 @@ public:
     \param point the corner of the neighboring triangle that is not on the edge
     \param normal the normal there, of any length
 
-    \throws std::invalid_argument if `i` is larger than 2, a coordinate is not finite, or the normal is zero
+    \throws std::invalid_argument if `i` is larger than 2, a coordinate is not finite, the normal is zero, or the neighbor is
+    \f$ 10^{60} \f$ times as large as the triangle
   */
   void set_neighbor(unsigned int i, const Point_3& point, const Vector_3& normal)
   {
@@ -95,6 +96,8 @@ public:
       throw std::invalid_argument("Shape_characteristics: Png1_triangle: an edge has the number 0, 1 or 2");
     const unsigned int j = (i + 1) % 3, k = (i + 2) % 3;
     const Eigen::Vector3d p = m_frame.apply(internal::finite_point("Png1_triangle", point));
+    if(!(p.cwiseAbs().maxCoeff() < 1e60)) // of the triangle's size
+      throw std::invalid_argument("Shape_characteristics: Png1_triangle: the neighbor is too large");
     const internal::Cubic_triangle<double> other(
         {p, m_points[k], m_points[j]},
         {internal::unit_normal("Png1_triangle", normal), m_normals[k], m_normals[j]});

@@ -211,8 +211,7 @@ Rigid_alignment iterative_closest_point(const Oriented_points& source,
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
-  const double distance =
-      choose_parameter(get_parameter(np, internal_np::maximum_correspondence_distance), 0.1);
+  double distance = choose_parameter(get_parameter(np, internal_np::maximum_correspondence_distance), 0.1);
   const double cosine = choose_parameter(get_parameter(np, internal_np::minimum_normal_cosine), 0.7);
   const std::int64_t limit =
       internal::whole_number(np, internal_np::number_of_iterations, std::int64_t(50), "number_of_iterations");
@@ -234,9 +233,11 @@ Rigid_alignment iterative_closest_point(const Oriented_points& source,
   }
   internal::Closest_points pairs(source, target, frame, cosine);
   const double spacing = pairs.spacing();
-  const double smallest_distance = (std::min)(3. * spacing, distance), narrowest = 0.1 * spacing;
 
   Eigen::Isometry3d motion = frame.inside(start);
+  // No points are farther apart than this; a limit of infinity wouldn't shrink.
+  distance = (std::min)(distance, 4. + motion.translation().norm());
+  const double smallest_distance = (std::min)(3. * spacing, distance), narrowest = 0.1 * spacing;
   double shrinkage = 1.;
   for(std::int64_t step = 0; step < limit && !result.has_converged; ++step, shrinkage *= 0.7)
   {

@@ -52,7 +52,16 @@ std::vector<std::uint32_t> samples_of_rows(const Parameter& given, const Descrip
       result.push_back(std::uint32_t(i));
   else
     for(const auto& sample : unwrapped(given))
-      result.push_back(static_cast<std::uint32_t>(sample));
+    {
+      bool is_negative = false;
+      if constexpr(std::is_signed_v<std::decay_t<decltype(sample)> >)
+        is_negative = sample < 0;
+      const auto number = static_cast<std::uint32_t>(sample);
+      if(is_negative || static_cast<std::uint64_t>(sample) != number)
+        throw std::invalid_argument(
+            "Shape_characteristics: source_samples and target_samples must be in [0, 2^32)");
+      result.push_back(number);
+    }
   if(result.size() != rows)
     throw std::invalid_argument(
         "Shape_characteristics: source_samples and target_samples must name a sample for each row");
@@ -98,11 +107,11 @@ std::vector<std::uint32_t> samples_of_rows(const Parameter& given, const Descrip
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \return the pairs, in the order of the rows of `source`: no sample comes twice. Rows without a descriptor, or with numbers that
+  \return the pairs, in the order of the rows of `source`: no row comes twice. Rows without a descriptor, or with numbers that
           aren't finite, have no partner.
 
   \throws std::invalid_argument if the matrices have different numbers of columns, or their statuses or the samples are not one for
-          each row
+          each row, or a sample isn't in [0, 2^32)
 
   The result is exact: that of comparing all distances, in double precision.
 

@@ -59,7 +59,7 @@ public:
   enum class Connectivity : unsigned char
   {
     NEIGHBORS, ///< neighbors alone; `number_of_faces()` is 0
-    FACES, ///< faces alone; `neighbors()` is found by way of them, at twice the cost, and nothing is known of spacings
+    FACES,     ///< faces alone; `neighbors()` is found by way of them, at twice the cost, and so are spacings
     NEIGHBORS_AND_FACES ///< both
   };
 
@@ -259,9 +259,12 @@ public:
   double spacing(std::size_t i) const
   {
     std::vector<double> lengths;
-    for(auto [j, end] = adjacent(i); j != end; ++j)
-      if(const double length = (m_points[*j] - m_points[i]).norm(); std::isfinite(length))
-        lengths.push_back(length);
+    for_each_edge(i,
+                  [&](const Index j)
+                  {
+                    if(const double length = (m_points[j] - m_points[i]).norm(); std::isfinite(length))
+                      lengths.push_back(length);
+                  });
     return internal::mean_of(lengths);
   }
 
@@ -273,10 +276,13 @@ public:
     std::vector<double> lengths;
     lengths.reserve(m_adjacency.size() / 2);
     for(std::size_t i = 0; i < size(); ++i)
-      for(auto [j, end] = adjacent(i); j != end; ++j)
-        if(*j > i)
-          if(const double length = (m_points[*j] - m_points[i]).norm(); std::isfinite(length))
-            lengths.push_back(length);
+      for_each_edge(i,
+                    [&](const Index j)
+                    {
+                      if(j > i)
+                        if(const double length = (m_points[j] - m_points[i]).norm(); std::isfinite(length))
+                          lengths.push_back(length);
+                    });
     return internal::mean_of(lengths);
   }
 
@@ -810,6 +816,21 @@ private:
     else
       for(auto [j, end] = adjacent(i); j != end; ++j)
         function(*j);
+  }
+
+  // once for each vertex at the other end of an edge
+  template <typename Function>
+  void for_each_edge(std::size_t i, const Function& function) const
+  {
+    if(!m_adjacency_begin.empty())
+    {
+      for_each_adjacent(i, function);
+      return;
+    }
+    std::vector<Index> ends;
+    for_each_adjacent(i, [&](const Index j) { ends.push_back(j); });
+    std::sort(ends.begin(), ends.end());
+    std::for_each(ends.begin(), std::unique(ends.begin(), ends.end()), function);
   }
 
   bool comes_before(const Index f, const Index g) const

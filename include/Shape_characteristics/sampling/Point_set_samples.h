@@ -125,8 +125,10 @@ public:
     }
     else
     {
-      workspace.m_nearest.resize((std::min)(m_neighborhood.count(), m_tree.entries().size()));
-      const std::size_t found = collect_nearest(i, workspace.m_nearest.data(), workspace.m_nearest.size());
+      const std::size_t count = (std::min)(m_neighborhood.count(), m_tree.entries().size());
+      const std::size_t room = count > s_few ? 2 * count : count;
+      workspace.m_nearest.resize(room);
+      const std::size_t found = collect_nearest(i, true, workspace.m_nearest.data(), count, room);
       for(std::size_t k = 0; k < found; ++k)
         add(workspace.m_nearest[k].second);
     }
@@ -135,13 +137,14 @@ public:
     return neighbors;
   }
 
-  /// whether other points have the same coordinates as point `i`
+  /// whether other points, with normals if there are any, have the same coordinates as point `i`
   bool has_coincident_points(std::size_t i) const
   {
     bool found = false;
     if(m_tree.contains(i))
     {
-      auto is_other = [&](const Entry& entry) { found = found || entry.index != Index(i); };
+      auto is_other = [&](const Entry& entry)
+      { found = found || (entry.index != Index(i) && is_usable(entry.index)); };
       Ball_search<decltype(is_other)> search{0., is_other};
       m_tree.search(m_tree.point(i), search);
     }
@@ -156,7 +159,7 @@ public:
     std::array<double, count> distances;
     std::size_t number = 0;
     if(m_tree.contains(i))
-      for(std::size_t j = 0, found = collect_nearest(i, nearest.data(), count); j < found; ++j)
+      for(std::size_t j = 0, found = collect_nearest(i, false, nearest.data(), count, count); j < found; ++j)
         if(const double d = spacing_between(nearest[j].second, i); std::isfinite(d))
         {
           // in ascending order, whatever the points' own: the sum then has the same bits
@@ -255,6 +258,8 @@ private:
   using Entry = internal::Kd_tree::Entry;
   using Candidate = internal::Neighbor_order::Key;
 
+  static constexpr std::size_t s_few = 64; // neighbors that are kept in order while they are found
+
   static const Neighborhood& checked(const Neighborhood& neighborhood)
   {
     if(neighborhood.kind() == Neighborhood::Kind::RINGS)
@@ -293,38 +298,64 @@ private:
   };
 
   // The nearest points elsewhere, nearest first. Of equally far ones the order of coordinates (and normals) chooses: the tree
-  // alone would leave it to the order of the input.
+  // alone would leave it to the order of the input. Where there is room for more than are wanted, they are only sorted in the end.
   struct Nearest_search
   {
     const Point_set_samples& samples;
     const Eigen::Vector3d& center;
+    bool are_usable; // those that are sought
     Candidate* nearest;
-    std::size_t capacity, size = 0;
+    std::size_t wanted, room, size = 0;
     double radius = std::numeric_limits<double>::infinity(); // squared
 
-    double squared_radius() const { return radius; }
-    void operator()(const Entry& entry, double squared_distance)
-    {
-      // points that are so close that squares don't tell them apart are one
-      if(squared_distance > radius || squared_distance < (std::numeric_limits<double>::min)())
-        return;
-      const Candidate candidate(samples.m_rounded(squared_distance), entry.index);
-      if(size < capacity)
-        ++size;
-      else if(!is_before(candidate, nearest[capacity - 1]))
-        return;
-      std::size_t k = size - 1;
-      for(; k > 0 && is_before(candidate, nearest[k - 1]); --k)
-        nearest[k] = nearest[k - 1];
-      nearest[k] = candidate;
-      if(size == capacity)
-        radius = samples.m_rounded.largest(nearest[capacity - 1].first);
-    }
     bool is_before(const Candidate& a, const Candidate& b) const
     {
       return internal::Neighbor_order::comes_before(samples, center, samples.m_rounded, a,
                                                     samples.m_tree.point(a.second), b,
                                                     samples.m_tree.point(b.second));
+    }
+    auto in_order() const
+    {
+      return [this](const Candidate& a, const Candidate& b) { return is_before(a, b); };
+    }
+    double squared_radius() const { return radius; }
+    void operator()(const Entry& entry, double squared_distance)
+    {
+      // points that are so close that squares don't tell them apart are one
+      if(squared_distance > radius || squared_distance < (std::numeric_limits<double>::min)() ||
+         (are_usable && !samples.is_usable(entry.index)))
+        return;
+      const Candidate candidate(samples.m_rounded(squared_distance), entry.index);
+      if(room > wanted)
+      {
+        nearest[size++] = candidate;
+        if(size == room)
+          drop_farthest();
+        return;
+      }
+      if(size < wanted)
+        ++size;
+      else if(!is_before(candidate, nearest[wanted - 1]))
+        return;
+      std::size_t k = size - 1;
+      for(; k > 0 && is_before(candidate, nearest[k - 1]); --k)
+        nearest[k] = nearest[k - 1];
+      nearest[k] = candidate;
+      if(size == wanted)
+        radius = samples.m_rounded.largest(nearest[wanted - 1].first);
+    }
+    void drop_farthest()
+    {
+      std::nth_element(nearest, nearest + wanted - 1, nearest + size, in_order());
+      size = wanted;
+      radius = samples.m_rounded.largest(nearest[wanted - 1].first);
+    }
+    void finish()
+    {
+      if(room == wanted)
+        return;
+      std::sort(nearest, nearest + size, in_order());
+      size = (std::min)(size, wanted);
     }
   };
 
@@ -333,11 +364,16 @@ private:
     return (m_tree.scale() * (m_points[i] - m_points[j])).norm() / m_tree.scale();
   }
 
-  // returns how many there are, at most `count`
-  std::size_t collect_nearest(std::size_t i, Candidate* nearest, std::size_t count) const
+  // returns how many there are, at most `count`; there is room for `room`
+  std::size_t collect_nearest(std::size_t i,
+                              bool are_usable,
+                              Candidate* nearest,
+                              std::size_t count,
+                              std::size_t room) const
   {
-    Nearest_search search{*this, m_tree.point(i), nearest, count};
+    Nearest_search search{*this, m_tree.point(i), are_usable, nearest, count, room};
     m_tree.search(search.center, search);
+    search.finish();
     return search.size;
   }
 

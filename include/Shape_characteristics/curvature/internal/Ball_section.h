@@ -282,15 +282,28 @@ inline Volume_moments box_in_ball(const Eigen::Vector3d& low, const Eigen::Vecto
 // moments are -pi / 48 (2 S + tr S). If the surface is at the height h over the point, the volume is by pi (h - h^3 / 3) larger,
 // and the second moments by pi / 4 (h - 2 / 3 h^3 + h^5 / 5). Together they give tr S without h, but for its third power, which
 // is then known.
-inline std::array<double, 3>
-shape_operator_of_moments(const Volume_moments& m, const Eigen::Vector3d& t1, const Eigen::Vector3d& t2)
+//
+// `height` becomes h, of a plane exactly. Where it isn't small, that is all that can be said.
+inline std::array<double, 3> shape_operator_of_moments(const Volume_moments& m,
+                                                       const Eigen::Vector3d& t1,
+                                                       const Eigen::Vector3d& t2,
+                                                       double& height)
 {
   const double volume = m.volume - 2. * CGAL_PI / 3., half_ball = 2. * CGAL_PI / 15.;
   const Eigen::Vector3d image_1 = m.second * t1, image_2 = m.second * t2;
   const double xx = t1.dot(image_1) - half_ball, yy = t2.dot(image_2) - half_ball;
   const double xy = .5 * (t1.dot(image_2) + t2.dot(image_1));
   const double trace = 48. / CGAL_PI * (volume / 2. - xx - yy);
-  const double h = volume / CGAL_PI + trace / 8.;
+  // h + 2 / 3 h^3 - 3 / 5 h^5, which grows up to h = 1
+  const double first = volume / CGAL_PI + trace / 8.;
+  double h = (std::min)((std::max)(first, -.9), .9);
+  for(int step = 0; step < 4; ++step) // Newton's method
+  {
+    const double q = h * h;
+    h -= (h * (1. + q * (2. / 3. - .6 * q)) - first) / (1. + q * (2. - 3. * q));
+    h = (std::min)((std::max)(h, -.9), .9);
+  }
+  height = h;
   const double half_trace = .5 * (trace - h * h * h * (8. - 4.8 * h * h));
   const double factor = -24. / CGAL_PI;
   return {half_trace + factor * (xx - yy) / 2., factor * xy, half_trace - factor * (xx - yy) / 2.};

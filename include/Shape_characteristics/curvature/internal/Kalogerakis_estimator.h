@@ -100,6 +100,7 @@ public:
     std::vector<Pair> pairs;
     std::vector<std::size_t> central; // of the pairs, those that the sample in the middle is part of
     std::vector<double> residuals, sorted, weights;
+    std::vector<Index> seen; // neighbors that had a say in the last answer
   };
 
   // For all samples: normals are estimated anew `passes` times, each time from neighbors with the normals before. Where the
@@ -131,57 +132,63 @@ public:
     }
   }
 
-  // for sample 0 alone: the last pass for its neighbors, the one before for the neighbors of those
+  // For sample 0 alone: the last pass for its neighbors, the one before for the neighbors of those, and so on. Which ones these are
+  // depends on normals: where a fit fails, it asks for more neighbors. So passes are made for those that are known to be needed, until
+  // no more turn up.
   Kalogerakis_estimator(SampledSurface& surface, unsigned int passes)
     : m_surface(surface),
       m_status_of_normal(surface.size(), Estimation_status::CANCELLED)
   {
     Workspace workspace;
-    std::vector<Index> near(1, 0);
-    std::vector<bool> is_near(surface.size(), false);
-    std::vector<std::size_t> within(passes); // as many hops from neighbors to neighbors, and one
-    is_near[0] = true;
-    std::size_t k = 0;
-    for(std::size_t& end : within)
-    {
-      for(const std::size_t before = near.size(); k < before; ++k)
-      {
-        std::vector<Index> neighbors; // those from which the fit is made in the end
-        fit_to_neighbors(surface, near[k], s_minimum, workspace.neighbors,
-                         [&](const std::vector<Index>& found)
-                         {
-                           Vector t1, t2, s;
-                           double size;
-                           neighbors = found;
-                           const bool fits = fit(near[k], found, workspace, t1, t2, size, s);
-                           return Curvature_estimate(fits ? Estimation_status::ESTIMATED
-                                                          : Estimation_status::DEGENERATE);
-                         });
-        for(const Index j : neighbors)
-          if(!is_near[j])
-          {
-            is_near[j] = true;
-            near.push_back(j);
-          }
-      }
-      end = near.size();
-    }
-    std::vector<Vector> normals(surface.size());
+    std::vector<Vector> original(surface.size());
     for(std::size_t i = 0; i < surface.size(); ++i)
-      normals[i] = surface.normal(i);
-    for(unsigned int pass = 0; pass < passes; ++pass)
+      original[i] = surface.normal(i);
+    std::vector<Index> needed(1, 0);
+    std::vector<unsigned int> passes_of(surface.size(), 0); // that its normal has to be the result of
+    passes_of[0] = passes;
+    // what the last answer, at sample `i`, has seen is needed, after so many passes
+    const auto need = [&](const Index i, const unsigned int number)
     {
-      for(std::size_t j = 0; j < within[passes - 1 - pass]; ++j)
-        normals[near[j]] = improved_normal(near[j], workspace);
+      bool is_new = false;
+      if(workspace.seen.empty() && is_estimated(surface.status(i))) // there was no fit
+        workspace.seen = surface.neighbors(i, s_minimum, workspace.neighbors);
+      for(const Index j : workspace.seen)
+        if(passes_of[j] < number)
+        {
+          if(passes_of[j] == 0)
+            needed.push_back(j);
+          passes_of[j] = number;
+          is_new = true;
+        }
+      return is_new;
+    };
+    for(bool is_complete = passes == 0; !is_complete;)
+    {
+      is_complete = true;
+      std::vector<Vector> normals = original;
       surface.set_normals(normals);
+      for(unsigned int pass = 1; pass <= passes; ++pass)
+      {
+        for(std::size_t k = 0, end = needed.size(); k < end; ++k)
+          if(const Index j = needed[k]; passes_of[j] >= pass)
+          {
+            normals[j] = improved_normal(j, workspace);
+            is_complete = !need(j, pass - 1) && is_complete;
+          }
+        surface.set_normals(normals);
+      }
+      (*this)(0, workspace);
+      is_complete = !need(0, passes) && is_complete;
     }
   }
 
   Curvature_estimate operator()(std::size_t i, Workspace& workspace) const
   {
+    workspace.seen.clear();
     return fit_to_neighbors(m_surface, i, s_minimum, workspace.neighbors,
                             [&](const std::vector<Index>& neighbors)
                             {
+                              workspace.seen = neighbors;
                               Vector t1, t2, s;
                               double size;
                               if(!fit(i, neighbors, workspace, t1, t2, size, s))
@@ -391,9 +398,11 @@ private:
     const Vector& n = m_surface.normal(i);
     Vector result = n;
     Estimation_status& status = m_status_of_normal[i];
+    w.seen.clear();
     status = fit_to_neighbors(m_surface, i, s_minimum, w.neighbors,
                               [&](const std::vector<Index>& neighbors)
                               {
+                                w.seen = neighbors;
                                 Vector t1, t2, s;
                                 double size;
                                 if(!fit(i, neighbors, w, t1, t2, size, s))

@@ -321,6 +321,11 @@ private:
       output.surface(i, failure(status));
       return false;
     }
+    if(is_exact && contradicts_others(neighborhood.normals))
+    {
+      output.surface(i, failure(Estimation_status::DEGENERATE));
+      return false;
+    }
     Task task = store(neighborhood, workspace);
     task.status = status;
     if(is_exact)

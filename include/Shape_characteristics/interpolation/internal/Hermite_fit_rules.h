@@ -80,6 +80,17 @@ inline Eigen::Vector3d trend_of_noisy_fit(const std::vector<Eigen::Vector3d>& no
   return trend.normalized();
 }
 
+// Whether the first of some exact normals is at right angles to all the others, which agree with each other. No surface is like that,
+// but a function may well have any derivatives at a single point.
+inline bool contradicts_others(const std::vector<Eigen::Vector3d>& normals)
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for(std::size_t k = 1; k < normals.size(); ++k)
+    sum += normals[k];
+  const double length = sum.norm();
+  return length > 0.5 * double(normals.size() - 1) && std::abs(sum.dot(normals[0])) < 0.1 * length;
+}
+
 /*
   The attempts to fit exact normals: each fits a little less exactly. Where no smooth surface has these points and normals, they
   aren't exact, whatever was said of them: a function that follows them all the same takes huge weights and bends wildly. Then

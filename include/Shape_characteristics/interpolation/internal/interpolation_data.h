@@ -144,13 +144,13 @@ private:
 };
 
 // in quadratic time, as what follows
-inline bool has_coincident_points(const Eigen::Matrix3Xd& points)
+inline double smallest_distance(const Eigen::Matrix3Xd& points)
 {
+  double square = std::numeric_limits<double>::infinity();
   for(Eigen::Index i = 0; i < points.cols(); ++i)
     for(Eigen::Index j = 0; j < i; ++j)
-      if(points.col(i) == points.col(j))
-        return true;
-  return false;
+      square = (std::min)(square, (points.col(i) - points.col(j)).squaredNorm());
+  return std::sqrt(square);
 }
 
 // mean distance of a point to its nearest neighbor, in quadratic time as anything else that is done with dense matrices;

@@ -131,7 +131,7 @@ private:
   bool is_open(const Point& origin, const Eigen::Vector3d& direction, double reach) const
   {
     const Kernel::Vector_3 d(direction[0], direction[1], direction[2]);
-    if(std::isinf(reach))
+    if(!(reach < 1e300)) // farther, the end might not be finite
       return !m_tree.do_intersect(Kernel::Ray_3(origin, d));
     return !m_tree.do_intersect(Kernel::Segment_3(origin, origin + reach * d));
   }

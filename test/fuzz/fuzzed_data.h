@@ -1,7 +1,5 @@
-#ifndef SHAPE_CHARACTERISTICS_TEST_FUZZ_FUZZED_GEOMETRY_H
-#define SHAPE_CHARACTERISTICS_TEST_FUZZ_FUZZED_GEOMETRY_H
-
-#include "estimators.h"
+#ifndef SHAPE_CHARACTERISTICS_TEST_FUZZ_FUZZED_DATA_H
+#define SHAPE_CHARACTERISTICS_TEST_FUZZ_FUZZED_DATA_H
 
 #include <fuzzer/FuzzedDataProvider.h>
 
@@ -17,6 +15,7 @@
 #include <limits>
 #include <string>
 
+// Numbers that libFuzzer makes up.
 namespace fuzz {
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -58,14 +57,22 @@ inline double scale(FuzzedDataProvider& data)
   return data.ConsumeBool() ? 1. : std::ldexp(1., data.ConsumeIntegralInRange<int>(-1070, 1020));
 }
 
-inline void require(const std::string& estimator, const std::string& complaint)
+// Ends the program if there is a complaint of what was tried.
+inline void require(const std::string& what, const std::string& complaint)
 {
   if(complaint.empty())
     return;
-  std::fprintf(stderr, "%s: %s\n", estimator.c_str(), complaint.c_str());
+  std::fprintf(stderr, "%s: %s\n", what.c_str(), complaint.c_str());
   std::abort();
+}
+
+// The same with a condition, and the complaint if it doesn't hold.
+inline void require(bool holds, const std::string& what, const char* complaint)
+{
+  if(!holds)
+    require(what, complaint);
 }
 
 } // namespace fuzz
 
-#endif // SHAPE_CHARACTERISTICS_TEST_FUZZ_FUZZED_GEOMETRY_H
+#endif // SHAPE_CHARACTERISTICS_TEST_FUZZ_FUZZED_DATA_H
