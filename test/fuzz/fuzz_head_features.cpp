@@ -74,7 +74,7 @@ void describe(const Mesh& mesh)
     const auto is_in_unit_interval = [](double x) { return x >= 0. && x <= 1.; };
     const bool is_known = SC::is_estimated(statuses[v]);
     fuzz::require(is_known
-                      ? std::abs(d.shape_index) <= 1. && is_in_unit_interval(d.curvedness) &&
+                      ? !(std::abs(d.shape_index) > 1.) && is_in_unit_interval(d.curvedness) &&
                             is_in_unit_interval(d.mean_curvature) && is_in_unit_interval(d.Willmore_energy)
                       : std::isnan(d.shape_index) && std::isnan(d.Willmore_energy),
                   "head_descriptors",
