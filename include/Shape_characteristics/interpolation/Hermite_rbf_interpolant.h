@@ -104,7 +104,7 @@ public:
     if constexpr(RadialBasisFunction::has_shape_parameter)
       if(!m_basis_function.is_shape_parameter_set())
       {
-        // Two points that are close to each other are no reason for basis functions that don't reach from one of all to the next.
+        // Two points that are close to each other are no reason for basis functions that are too narrow for all others.
         const double least_reach = smallest > s_close * spacing ? 1. : 4.;
         for(double reach = 4.; !m_is_valid && reach >= least_reach; reach /= 2.)
         {
