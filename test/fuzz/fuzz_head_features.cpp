@@ -28,11 +28,6 @@ using fuzz::Point_3;
 using fuzz::Vector_3;
 using Handle = SC::Surface_handle<Mesh, fuzz::Kernel>;
 
-bool is_finite(const Point_3& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
 void detect_plane(const Mesh& mesh)
 {
   const auto symmetry = SC::detect_symmetry_plane(mesh);
@@ -51,8 +46,8 @@ void detect_features(const Mesh& mesh)
 {
   const auto head = SC::detect_head_features(mesh, SC::parameters::head_is_aligned(true));
   for(const auto& f : head.points)
-    fuzz::require(!f.is_found || (is_finite(f.position) && mesh.is_valid(f.vertex) && f.confidence >= 0. &&
-                                  f.confidence <= 1.),
+    fuzz::require(!f.is_found || (fuzz::is_finite(f.position) && mesh.is_valid(f.vertex) &&
+                                  f.confidence >= 0. && f.confidence <= 1.),
                   "detect_head_features", "a feature without a place");
   for(const auto& r : head.regions)
     for(const auto v : r.vertices)
@@ -118,16 +113,18 @@ void deform(FuzzedDataProvider& data, Mesh& mesh)
     moved = data.ConsumeBool() ? SC::deform_by_handles(mesh, handles)
                                : SC::deform_as_rigid_as_possible(mesh, handles);
   }
-  catch(const std::invalid_argument&)
+  catch(const std::invalid_argument&) // the mesh stays as it is
   {}
-  std::size_t k = 0;
+  std::size_t changed = 0, k = 0;
   for(const auto v : mesh.vertices())
   {
     const Point_3 &p = before[k++], &q = mesh.point(v);
-    const bool is_same = !is_finite(p) || p == q;
-    fuzz::require(is_same || is_finite(q), "deformation", "a vertex is nowhere");
-    moved -= !is_same && moved > 0;
+    if(!fuzz::is_finite(p) || p == q)
+      continue;
+    fuzz::require(fuzz::is_finite(q), "deformation", "a vertex is nowhere");
+    ++changed;
   }
+  fuzz::require(moved == changed, "deformation", "a wrong count");
 }
 
 } // namespace

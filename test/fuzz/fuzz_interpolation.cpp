@@ -28,16 +28,6 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using Point_3 = Kernel::Point_3;
 using Vector_3 = Kernel::Vector_3;
 
-bool is_finite(const Vector_3& v)
-{
-  return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
-bool is_finite(const Point_3& p)
-{
-  return is_finite(p - CGAL::ORIGIN);
-}
-
 // A function that has been found is one at its centers; if there is none, it says so. What is beyond `largest`, or less than its
 // inverse, may overflow when it is derived.
 constexpr double largest = 1e150;
@@ -57,7 +47,7 @@ void check(const char* name, const Interpolant& f, const std::vector<Point_3>& p
                     name, "a value of nothing");
     else if(size == 0. || (size > 1. / largest && size < largest))
     {
-      fuzz::require(std::isfinite(value) && is_finite(f.gradient(p)), name, "a value isn't finite");
+      fuzz::require(std::isfinite(value) && fuzz::is_finite(f.gradient(p)), name, "a value isn't finite");
       fuzz::require(!is_zero || std::abs(value) <= 1e-3 * size + 1e-300, name,
                     "a center isn't on the surface");
     }
@@ -111,10 +101,10 @@ void bend_triangle(FuzzedDataProvider& data)
        1e300) // control points may be beyond
       return;
   const SC::Pn_triangle<Kernel> patch(points, normals);
-  fuzz::require(is_finite(patch.point(where)), "Pn_triangle", "a point isn't finite");
+  fuzz::require(fuzz::is_finite(patch.point(where)), "Pn_triangle", "a point isn't finite");
   fuzz::require(!(std::abs(patch.normal(where).squared_length() - 1.) > 1e-9), "Pn_triangle",
                 "a normal without a unit");
-  fuzz::require(is_finite(SC::Png1_triangle<Kernel>(points, normals).point(where)), "Png1_triangle",
+  fuzz::require(fuzz::is_finite(SC::Png1_triangle<Kernel>(points, normals).point(where)), "Png1_triangle",
                 "a point isn't finite");
 }
 

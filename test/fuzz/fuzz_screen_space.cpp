@@ -93,29 +93,31 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
           picture,
           SC::parameters::mean_curvature_map(map_of(k_min)).status_map(map_of(statuses)).pixel_radius(2u));
     else
-      failures = SC::ambient_occlusion(picture, SC::parameters::ambient_occlusion_map(map_of(light)));
+      failures = SC::ambient_occlusion(
+          picture, SC::parameters::ambient_occlusion_map(map_of(light)).status_map(map_of(statuses)));
   }
   catch(const std::invalid_argument&)
   {
     return 0;
   }
+  const char* const name = kind == 0   ? "screen_space_curvatures"
+                           : kind == 1 ? "sphere_fit_mean_curvatures"
+                                       : "ambient_occlusion";
+  std::size_t failed = 0;
   for(std::size_t k = 0; k < count; ++k)
   {
+    const SC::Estimation_status status = statuses[k];
+    const bool is_estimated = SC::is_estimated(status);
+    fuzz::require(status != SC::Estimation_status::CANCELLED, name, "there is no status");
+    failed += !is_estimated && status != SC::Estimation_status::UNREFERENCED;
+    const float value = kind == 2 ? light[k] : k_min[k];
+    fuzz::require(is_estimated ? std::isfinite(value) : std::isnan(value), name, "a value isn't announced");
+    if(kind == 0)
+      fuzz::require(is_estimated ? std::isfinite(k_max[k]) && k_min[k] <= k_max[k] : std::isnan(k_max[k]),
+                    name, "curvatures aren't ordered");
     if(kind == 2)
-    {
-      const bool is_lit = light[k] >= 0.f && light[k] <= 1.f;
-      fuzz::require(is_lit || std::isnan(light[k]), "ambient_occlusion", "light isn't in [0, 1]");
-      failures -= !is_lit && failures > 0;
-      continue;
-    }
-    const char* const name = kind == 0 ? "screen_space_curvatures" : "sphere_fit_mean_curvatures";
-    const bool is_estimated = SC::is_estimated(statuses[k]);
-    fuzz::require(statuses[k] != SC::Estimation_status::CANCELLED, name, "there is no status");
-    fuzz::require(is_estimated ? std::isfinite(k_min[k]) : std::isnan(k_min[k]), name,
-                  "a value isn't announced");
-    fuzz::require(kind != 0 ||
-                      (is_estimated ? std::isfinite(k_max[k]) && k_min[k] <= k_max[k] : std::isnan(k_max[k])),
-                  name, "curvatures aren't ordered");
+      fuzz::require(!is_estimated || (value >= 0.f && value <= 1.f), name, "light isn't in [0, 1]");
   }
+  fuzz::require(failed == failures, name, "a wrong count");
   return 0;
 }

@@ -57,6 +57,13 @@ inline double scale(FuzzedDataProvider& data)
   return data.ConsumeBool() ? 1. : std::ldexp(1., data.ConsumeIntegralInRange<int>(-1070, 1020));
 }
 
+// of a point, or a vector
+template <typename T>
+bool is_finite(const T& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
 // Ends the program if there is a complaint of what was tried.
 inline void require(const std::string& what, const std::string& complaint)
 {

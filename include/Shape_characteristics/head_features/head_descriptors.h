@@ -56,24 +56,22 @@ inline void map_to_unit_interval(std::vector<Characteristics_of_vertex>& charact
 
 // All are mapped to where they lie between others, so that the unit doesn't matter: the largest curvature is about 1, or squares
 // might overflow.
-template <typename Curvatures>
-std::vector<Characteristics_of_vertex> characteristics_without_unit(const std::vector<Curvatures>& curvatures)
+inline std::vector<Characteristics_of_vertex> characteristics_without_unit(
+    const std::vector<Principal_curvatures_and_directions<Sample_kernel> >& curvatures)
 {
-  using FT = decltype(Curvatures::min_curvature);
   double largest = 0.;
-  for(const Curvatures& c : curvatures)
-    for(const FT& k : {c.min_curvature, c.max_curvature})
-      if(const double size = std::abs(CGAL::to_double(k)); std::isfinite(size))
-        largest = (std::max)(largest, size);
+  for(const auto& c : curvatures)
+    for(const double k : {c.min_curvature, c.max_curvature})
+      if(std::isfinite(k))
+        largest = (std::max)(largest, std::abs(k));
   const int exponent = largest > 0. ? std::ilogb(largest) : 0;
   std::vector<Characteristics_of_vertex> result;
   result.reserve(curvatures.size());
-  for(Curvatures c : curvatures)
+  for(auto c : curvatures)
   {
-    c.min_curvature = FT(std::ldexp(CGAL::to_double(c.min_curvature), -exponent));
-    c.max_curvature = FT(std::ldexp(CGAL::to_double(c.max_curvature), -exponent));
-    result.push_back({CGAL::to_double(shape_index(c)), CGAL::to_double(curvedness(c)),
-                      CGAL::to_double(mean_curvature(c)), CGAL::to_double(Willmore_energy(c))});
+    c.min_curvature = std::ldexp(c.min_curvature, -exponent);
+    c.max_curvature = std::ldexp(c.max_curvature, -exponent);
+    result.push_back({shape_index(c), curvedness(c), mean_curvature(c), Willmore_energy(c)});
   }
   return result;
 }

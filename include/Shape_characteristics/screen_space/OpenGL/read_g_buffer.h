@@ -3,10 +3,8 @@
 
 #include <Shape_characteristics/screen_space/G_buffer.h>
 #include <Shape_characteristics/screen_space/OpenGL/G_buffer_textures.h>
-#include <Shape_characteristics/screen_space/OpenGL/internal/Gl_state.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/read_texture.h>
 #include <Shape_characteristics/screen_space/OpenGL/internal/require_opengl.h>
-#include <Shape_characteristics/screen_space/OpenGL/internal/require_texture.h>
 
 #include <epoxy/gl.h>
 
@@ -15,20 +13,6 @@
 #include <vector>
 
 namespace Shape_characteristics {
-namespace internal {
-
-// whether the depths are in a format for depths, and not in the red channel
-inline bool has_depths(const G_buffer_textures& textures)
-{
-  const Gl_state state;
-  require_texture("read_g_buffer", textures.depths, textures.width, textures.height);
-  GLint bits = 0;
-  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE, &bits);
-  return bits > 0;
-}
-
-} // namespace internal
-
 /*!
   \ingroup PkgShapeCharacteristicsScreenSpace
 
@@ -53,7 +37,7 @@ read_g_buffer(const G_buffer_textures& textures, std::vector<float>& depths, std
   if(size > 0)
   {
     internal::read_texture("read_g_buffer", textures.depths, textures.width, textures.height,
-                           internal::has_depths(textures) ? GL_DEPTH_COMPONENT : GL_RED, depths.data());
+                           GL_DEPTH_COMPONENT, depths.data());
     internal::read_texture("read_g_buffer", textures.normals, textures.width, textures.height, GL_RGB,
                            normals.data());
   }
