@@ -184,31 +184,42 @@ BOOST_AUTO_TEST_CASE(one_vertex_and_threads)
   }
 }
 
-// Where a surface is folded, fits fail, and ask for more neighbors: in other passes, for others.
+// Where a surface is folded, fits fail, and ask for more neighbors: in other passes, for others. (It is rare; one of these has it.)
 BOOST_AUTO_TEST_CASE(one_vertex_of_folded_surfaces)
 {
-  for(unsigned int seed = 0; seed < 30; ++seed)
+  for(unsigned int seed = 12; seed < 17; ++seed)
   {
-    Analytic_surface s = test_support::waves(.1, 4., 1., 9, .2, seed);
     std::mt19937 random(seed);
-    for(int k = 0; k < 3; ++k)
+    const auto uniform = [&] { return 2. * double(random()) / 4294967296. - 1.; };
+    constexpr unsigned int n = 10;
+    Mesh mesh;
+    for(unsigned int i = 0; i < n * n; ++i)
     {
-      auto& p = s.points[random() % s.points.size()];
-      for(std::size_t c = 0; c < 3; ++c)
-        p[c] += 4. * double(random()) / 4294967296. - 2.;
+      const double x = i % n + .2 * uniform(), y = i / n + .2 * uniform();
+      const double z = .05 * uniform() + 2. * std::exp(-((x - 5.) * (x - 5.) + (y - 5.) * (y - 5.)) / 4.);
+      mesh.add_vertex(Kernel::Point_3(x, y, z));
     }
-    const Mesh mesh = test_support::build_mesh<Mesh>(s);
-    Mesh copy = mesh;
-    const Normal_map all = normal_map(copy, "v:all");
-    const Status_map status =
-        copy.add_property_map<Mesh::Vertex_index, SC::Estimation_status>("v:status").first;
-    SC::kalogerakis_normals<CGAL::Sequential_tag>(copy, all, SC::parameters::vertex_status_map(status));
+    for(unsigned int j = 0; j + 1 < n; ++j)
+      for(unsigned int i = 0; i + 1 < n; ++i)
+      {
+        const Mesh::Vertex_index a(j * n + i), b(a + 1), c(a + n), d(c + 1);
+        mesh.add_face(a, b, c);
+        mesh.add_face(b, d, c);
+      }
+    for(int k = 0; k < 3; ++k) // these are pulled across the others
+    {
+      const Mesh::Vertex_index v(random() % (n * n));
+      const double x = 8. * uniform(), y = 8. * uniform();
+      mesh.point(v) += Vector_3(x, y, uniform());
+    }
+    const auto mean = mesh.add_property_map<Mesh::Vertex_index, double>("v:mean").first;
+    SC::kalogerakis_curvatures(mesh, SC::parameters::vertex_mean_curvature_map(mean));
     for(const auto v : vertices(mesh))
     {
-      Vector_3 n;
-      const SC::Estimation_status of_one = SC::kalogerakis_normals(v, mesh, n);
-      BOOST_TEST((of_one == status[v]));
-      BOOST_TEST((n == all[v] || !SC::is_estimated(of_one)), "seed " << seed << ", vertex " << v);
+      double of_one;
+      SC::kalogerakis_curvatures(v, mesh, SC::parameters::vertex_mean_curvature(std::ref(of_one)));
+      BOOST_TEST((of_one == mean[v] || (std::isnan(of_one) && std::isnan(mean[v]))),
+                 "seed " << seed << ", vertex " << v);
     }
   }
 }
