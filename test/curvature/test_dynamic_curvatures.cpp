@@ -301,10 +301,12 @@ BOOST_AUTO_TEST_CASE(strips)
     strip.add_vertex(Kernel::Point_3(k, k % 2, .1 * (k % 3)));
   for(unsigned k = 0; k + 2 < 9; ++k)
     strip.add_face(Vertex(k), Vertex(k % 2 == 0 ? k + 2 : k + 1), Vertex(k % 2 == 0 ? k + 1 : k + 2));
-  const std::vector<Kernel::Point_3> original = {strip.points().begin(), strip.points().end()};
+  const Surface_mesh whole_strip = strip;
   for(const unsigned broken : {3u, 5u})
   {
+    strip = whole_strip;
     strip.point(Vertex(broken)) = strip.point(Vertex(broken + 1)) = Kernel::Point_3(nan, 0, 0);
+    const std::vector<Kernel::Point_3> original = {strip.points().begin(), strip.points().end()};
     Maps maps(strip, std::to_string(broken)), whole(strip, " of the whole" + std::to_string(broken));
     const auto np = maps.parameters();
     SC::Dynamic_rusinkiewicz_curvatures<Surface_mesh, std::decay_t<decltype(np)> > dynamic(strip, np);
