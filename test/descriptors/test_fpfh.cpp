@@ -179,6 +179,33 @@ BOOST_AUTO_TEST_CASE(pairs_without_features)
     check_against_reference(cloud, variant);
 }
 
+// The nearest neighbor, by orders of magnitude, has no histograms: it sees all the others along its normal. Those of the others count
+// as if it weren't there.
+BOOST_AUTO_TEST_CASE(neighbor_without_histograms)
+{
+  Cloud cloud;
+  for(int k = 0; k < 8; ++k)
+  {
+    cloud.points.emplace_back(1e-7 * std::cos(.7 * k), 1e-7 * std::sin(.7 * k), 1. + 1e-7 * k);
+    cloud.normals.push_back(Vector3d(std::cos(.7 * k), std::sin(.4 * k), 1.).normalized());
+  }
+  cloud.points.emplace_back(0., 0., 0.);
+  cloud.normals.push_back(Vector3d(0., 0., 1.));
+  cloud.points.emplace_back(1e-20, 0., 0.);
+  cloud.normals.push_back(Vector3d(1., 0., 1.).normalized());
+  const Eigen::Index last = 9;
+  for(const Fpfh_variant variant : {Fpfh_variant::PAPER, Fpfh_variant::PCL, Fpfh_variant::OPEN3D})
+  {
+    const SC::Descriptor_matrix m = fpfh(cloud, SC::Neighborhood::nearest(20), variant);
+    BOOST_TEST(int(m.status[8]) == int(variant == Fpfh_variant::OPEN3D ? S::ESTIMATED : S::DEGENERATE));
+    BOOST_TEST(int(m.status[std::size_t(last)]) == int(S::ESTIMATED));
+    BOOST_TEST(is_consistent(m));
+    for(Eigen::Index k = 0; k < 33; k += 11)
+      BOOST_TEST(std::abs(m.values.row(last).segment(k, 11).sum() -
+                          (variant == Fpfh_variant::OPEN3D ? 200.f : 100.f)) < 1e-3f);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(three_histograms_of_a_hundred)
 {
   const Cloud cloud = rough_cloud(400, 6, 1.);

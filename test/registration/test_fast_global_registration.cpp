@@ -340,6 +340,12 @@ BOOST_AUTO_TEST_CASE(bad_input)
     p = {3., 2., 1.};
   check_failure(align(bad), Status::DEGENERATE);
 
+  bad = scene; // so far out that motions would leave the range of numbers
+  for(auto* const points : {&bad.source.points, &bad.target.points})
+    for(auto& p : *points)
+      p *= 1e307;
+  check_failure(align(bad), Status::DEGENERATE);
+
   bad = scene; // on a line
   for(std::size_t i = 0; i < bad.source.size(); ++i)
     bad.source.points[i] = Eigen::Vector3d(.1, 0., 3.) + double(i) * Eigen::Vector3d(1., 2., 3.) / 7.;

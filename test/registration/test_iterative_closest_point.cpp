@@ -317,6 +317,11 @@ BOOST_AUTO_TEST_CASE(bad_input)
     p = {1., 2., 3.};
   check_failure(align(bad, bad, identity), Status::DEGENERATE);
 
+  bad = points; // so far out that motions would leave the range of numbers
+  for(auto& p : bad.points)
+    p *= 1e308;
+  check_failure(align(bad, bad, identity), Status::DEGENERATE);
+
   bad = points; // on a line, about which it may turn
   for(std::size_t i = 0; i < bad.size(); ++i)
   {

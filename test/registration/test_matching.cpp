@@ -454,7 +454,7 @@ BOOST_AUTO_TEST_CASE(triples_do_not_depend_on_unit_position_and_side)
   const Correspondences expected = test(scene);
   BOOST_TEST(expected.size() > 300u);
 
-  for(const double scale : {1e-6, 1e6, 1e-100, 1e100})
+  for(const double scale : {1e-6, 1e6, 1e-100, 1e100, 1e-200, 1e200})
   {
     Scene other = scene;
     for(auto* points : {&other.source.points, &other.target.points})

@@ -299,6 +299,20 @@ BOOST_AUTO_TEST_CASE(units_and_places)
     BOOST_TEST(error(s, result.transformation,
                      scaling * to_eigen(reference.transformation) * scaling.inverse()) < 1e-6 * scale);
   }
+  // lengths whose squares are out of the range of numbers, or nearly they themselves
+  for(const double unit : {0x1p-900, 0x1p900, 0x1p1021})
+  {
+    Scan s = moved(source, moved_by), t = target;
+    for(Scan* const scan : {&s, &t})
+      for(auto& [p, n] : *scan)
+        p = Point(unit * p.x(), unit * p.y(), unit * p.z());
+    const Result result = registered(s, t);
+    BOOST_TEST(int(result.verdict) == int(reference.verdict));
+    for(int i = 0; i < 3; ++i)
+      for(int j = 0; j < 4; ++j)
+        BOOST_TEST(result.transformation.m(i, j) == (j < 3 ? 1. : unit) * reference.transformation.m(i, j),
+                   boost::test_tools::tolerance(1e-9));
+  }
   // far away, as coordinates of maps are
   Eigen::Affine3d away = Eigen::Affine3d::Identity();
   away.translation() = Vector3d(5e5, 5e6, 300.);
@@ -333,28 +347,31 @@ BOOST_AUTO_TEST_CASE(starts_and_seeds)
 // denser, so that it can be told which.
 BOOST_AUTO_TEST_CASE(planes_beneath_each_other)
 {
-  const auto grid = [](const int per_edge, const double spacing)
+  for(const double unit : {1., 0x1p-900, 0x1p900})
   {
-    SC::Oriented_points points;
-    for(int i = 0; i < per_edge; ++i)
-      for(int j = 0; j < per_edge; ++j)
-      {
-        points.points.push_back({spacing * i, spacing * j, 0.});
-        points.normals.push_back({0., 0., 1.});
-      }
-    return points;
-  };
-  const SC::Oriented_points source = grid(59, .5), target = grid(30, 1.);
-  const double share_of_source = double(source.size()) / double(source.size() + target.size());
-  for(const auto& [height, penetration] : std::vector<std::pair<double, double> >{
-          {-1., share_of_source}, {-.1, 0.}, {0., 0.}, {.1, 0.}, {1., 1. - share_of_source}})
-  {
-    const SC::Registration_quality quality =
-        SC::assess_registration(source, target, Eigen::Isometry3d(Eigen::Translation3d(0., 0., height)));
-    BOOST_TEST(quality.overlap == 1.);
-    BOOST_TEST(quality.penetration == penetration, boost::test_tools::tolerance(1e-12));
-    BOOST_TEST(quality.agreement == (std::abs(height) < .5 ? 1. : 0.));
-    BOOST_TEST(quality.opposition == 0.);
+    const auto grid = [&](const int per_edge, const double spacing)
+    {
+      SC::Oriented_points points;
+      for(int i = 0; i < per_edge; ++i)
+        for(int j = 0; j < per_edge; ++j)
+        {
+          points.points.push_back({unit * spacing * i, unit * spacing * j, 0.});
+          points.normals.push_back({0., 0., 1.});
+        }
+      return points;
+    };
+    const SC::Oriented_points source = grid(59, .5), target = grid(30, 1.);
+    const double share_of_source = double(source.size()) / double(source.size() + target.size());
+    for(const auto& [height, penetration] : std::vector<std::pair<double, double> >{
+            {-1., share_of_source}, {-.1, 0.}, {0., 0.}, {.1, 0.}, {1., 1. - share_of_source}})
+    {
+      const SC::Registration_quality quality = SC::assess_registration(
+          source, target, Eigen::Isometry3d(Eigen::Translation3d(0., 0., unit * height)));
+      BOOST_TEST(quality.overlap == 1.);
+      BOOST_TEST(quality.penetration == penetration, boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(quality.agreement == (std::abs(height) < .5 ? 1. : 0.));
+      BOOST_TEST(quality.opposition == 0.);
+    }
   }
 }
 

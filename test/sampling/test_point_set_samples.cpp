@@ -492,6 +492,33 @@ BOOST_AUTO_TEST_CASE(extraordinary_units)
   Point_set_samples::Workspace a, b;
   for(std::size_t i = 0; i + 1 < points.size(); ++i)
     BOOST_TEST((samples.neighbors(i, 0, a) == expected.neighbors(i, 0, b)));
+  // ... nor do lengths count for nothing beside it, whatever their unit, ...
+  for(const double unit : {1e-60, 1e-70})
+  {
+    std::vector<Point_3> small = random_points(300, 12);
+    for(Point_3& p : small)
+      p = Point_3(unit * p.x(), unit * p.y(), unit * p.z());
+    const Point_set_samples without = samples_of(small, Neighborhood::nearest(12));
+    small.emplace_back(1e110, -1e110, 1e110);
+    const Point_set_samples with = samples_of(small, Neighborhood::nearest(12));
+    for(std::size_t i = 0; i + 1 < small.size(); ++i)
+      BOOST_TEST((with.neighbors(i, 0, a) == without.neighbors(i, 0, b)));
+  }
+  // ... but it is a neighbor where there is no other, unless it is beyond all numbers in the unit of the others, ...
+  std::vector<Point_3> few(12, Point_3(1e-160, 0., 0.));
+  few.resize(20, Point_3(-1e-160, 0., 0.));
+  few.emplace_back(0., 1e-20, 0.);
+  few.emplace_back(0., 0., 1.);
+  few.emplace_back(1e110, 0., 0.);
+  const Point_set_samples distant = samples_of(few, Neighborhood::nearest(20));
+  for(const std::size_t i : {0u, 5u})
+  {
+    BOOST_TEST(distant.neighbors(i, 0, a).size() == 9u);
+    BOOST_TEST(distant.neighbors(i, 0, a).back() == 20u);
+  }
+  BOOST_TEST(distant.neighbors(20, 0, a).size() == 20u);
+  for(const std::size_t i : {21u, 22u})
+    BOOST_TEST(distant.neighbors(i, 0, a).empty());
   // ... and a few that are so close that nothing tells their distances apart are one.
   points = random_points(300, 12);
   for(int k = 0; k < 5; ++k)

@@ -218,7 +218,8 @@ private:
   \cgalNamedParamsEnd
 
   \throws std::invalid_argument if the mesh is not closed, a face is not a triangle, a point is not finite, or `voxel_size` is
-          not positive or so small that there would be more than \f$ 2^{31} \f$ voxels, or \f$ 2^{20} \f$ along an axis
+          not positive, or so small that there would be more than \f$ 2^{31} \f$ voxels, or \f$ 2^{20} \f$ along an axis, or so
+          large that their coordinates would be out of the range of numbers
 
   Complexity: linear in the number of voxels, of lines through triangles, and of rows of lines at triangles; 4 bytes a voxel while it
   works, 72 bytes a triangle, and some 100 MB.
@@ -272,6 +273,9 @@ Voxel_octree voxelize(const FaceGraph& mesh,
     const Eigen::Vector3d counts = ((high - low) / voxel_size).array().ceil() + 2. * double(margin);
     if(!(counts.prod() < most_voxels) || !(counts.maxCoeff() <= 1048576.))
       throw std::invalid_argument("Shape_characteristics: voxelize: voxel_size is too small for the mesh");
+    if(!origin.allFinite() || !(origin + voxel_size * counts).allFinite())
+      throw std::invalid_argument(
+          "Shape_characteristics: voxelize: the voxels are out of the range of numbers");
     for(int k = 0; k < 3; ++k)
       size[std::size_t(k)] = std::size_t(counts[k]);
   }

@@ -292,32 +292,34 @@ private:
     return pairs == 0 || points.is_collinear() ? Estimation_status::DEGENERATE : status;
   }
 
-  // returns false where no neighbor has histograms
+  // returns false where no neighbor elsewhere has histograms
   bool put_together(std::size_t i, float* result) const
   {
     const std::pair<const Index*, const Index*> list = neighbors(i);
     const Eigen::Vector3d p = m_surface.point(i);
-    const Index* first = list.first;
-    while(first != list.second && m_surface.point(*first) == p)
-      ++first;
-    if(first == list.second)
+    const auto histograms = [&](const Index j) { return m_histograms.data() + j * s_stride; };
+    double nearest = std::numeric_limits<double>::infinity();
+    for(const Index* j = list.first; j != list.second; ++j)
+      if(histograms(*j)[s_present] > 0.f)
+        if(const double distance = (m_surface.point(*j) - p).cwiseAbs().maxCoeff(); distance > 0.)
+          nearest = (std::min)(nearest, distance);
+    if(!std::isfinite(nearest))
       return false;
-    const double in_range = internal::scale_to_range((m_surface.point(*first) - p).cwiseAbs().maxCoeff());
-    const auto squared_distance = [&](const Index j)
-    { return (in_range * (m_surface.point(j) - p)).squaredNorm(); };
-    // The nearest neighbor has the weight 1: numbers of single precision are enough whatever the unit.
-    const double nearest = squared_distance(*first);
+    // In a unit in which the nearest one has a weight of about 1, numbers of single precision are enough.
+    const double in_range = internal::scale_to_range(nearest);
+    const double unit = in_range * nearest * in_range * nearest;
     std::array<float, s_stride> sum{};
-    for(; first != list.second; ++first)
+    for(const Index* j = list.first; j != list.second; ++j)
     {
-      const double square = nearest / squared_distance(*first);
+      const float* const row = histograms(*j);
+      const double squared_distance = (in_range * (m_surface.point(*j) - p)).squaredNorm();
+      if(!(row[s_present] > 0.f && squared_distance > 0.))
+        continue;
+      const double square = unit / squared_distance;
       const float weight = float(m_variant == Fpfh_variant::PAPER ? std::sqrt(square) : square);
-      const float* const row = m_histograms.data() + *first * s_stride;
       for(std::size_t k = 0; k < s_stride; ++k)
         sum[k] += weight * row[k];
     }
-    if(!(sum[s_present] > 0.f))
-      return false;
     const float share = m_variant == Fpfh_variant::PAPER ? 0.5f : 1.f;
     const float own_share = m_variant == Fpfh_variant::PCL ? 0.f : share;
     const float scale = share / sum[s_present];

@@ -16,9 +16,9 @@ namespace internal {
 class Rounded_distance
 {
 public:
-  // `unit`: a squared distance
+  // `unit`: a squared distance. Powers of two make no difference to digits: no quotient leaves the range of numbers.
   explicit Rounded_distance(double unit)
-    : m_unit(unit > 1e-300 && unit < 1e300 ? unit : 1.),
+    : m_unit(unit > 0. && std::isfinite(unit) ? std::scalbn(unit, -std::ilogb(unit)) : 1.),
       m_inverse(1. / m_unit)
   {}
 

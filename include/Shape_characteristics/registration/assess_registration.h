@@ -4,6 +4,7 @@
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Registration_quality.h>
 #include <Shape_characteristics/registration/internal/Registration_assessor.h>
+#include <Shape_characteristics/registration/internal/scan_scale.h>
 
 #include <Eigen/Geometry>
 
@@ -37,11 +38,15 @@ inline Registration_quality assess_registration(const Oriented_points& source,
                                                 const Oriented_points& target,
                                                 const Eigen::Isometry3d& motion)
 {
-  const double spacing = (std::max)(internal::Registration_assessor::spacing(source),
-                                    internal::Registration_assessor::spacing(target));
+  const double unit = internal::scan_scale(source, target);
+  const Oriented_points s = internal::scaled(source, unit), t = internal::scaled(target, unit);
+  const double spacing =
+      (std::max)(internal::Registration_assessor::spacing(s), internal::Registration_assessor::spacing(t));
   if(!(spacing > 0.))
     return {};
-  return internal::Registration_assessor(source, target, spacing)(motion);
+  Eigen::Isometry3d m = motion;
+  m.translation() *= unit;
+  return internal::Registration_assessor(s, t, spacing)(m);
 }
 
 } // namespace Shape_characteristics

@@ -6,6 +6,7 @@
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/internal/check_oriented_points.h>
+#include <Shape_characteristics/registration/internal/scan_scale.h>
 
 #include <Eigen/Geometry>
 
@@ -200,13 +201,14 @@ std::vector<Correspondence> tuple_test(const Oriented_points& source,
 
   // in a row in memory
   using Corner = internal::Tuple_test::Corner;
+  const double unit = internal::scan_scale(source, target);
   std::vector<std::array<Corner, 2>> corners;
   std::vector<Correspondence> usable;
   for(const Correspondence& c : correspondences)
     if(source.is_usable(c.source) && target.is_usable(c.target))
     {
-      corners.push_back({Corner{source.points[c.source], source.normals[c.source]},
-                         Corner{target.points[c.target], target.normals[c.target]}});
+      corners.push_back({Corner{unit * source.points[c.source], source.normals[c.source]},
+                         Corner{unit * target.points[c.target], target.normals[c.target]}});
       usable.push_back(c);
     }
 

@@ -99,7 +99,8 @@ public:
   /*!
     returns the neighbors of point `i`, the nearest first; those that are equally far, to seven digits, in the
     lexicographic order of their coordinates, to six digits. `i` itself, points with the same coordinates as `i`, and
-    points whose coordinates or normals are not finite are left out.
+    points whose coordinates or normals are not finite are left out. So are points some \f$ 10^{150} \f$ times as far away as
+    points usually are, where the nearest ones are asked for.
 
     The reference is valid until the next call with the same workspace.
 
@@ -306,7 +307,8 @@ private:
     bool are_usable; // those that are sought
     Candidate* nearest;
     std::size_t wanted, room, size = 0;
-    double radius = std::numeric_limits<double>::infinity(); // squared
+    double radius =
+        (std::numeric_limits<double>::max)(); // squared; what is out of the range of numbers is out of reach
 
     bool is_before(const Candidate& a, const Candidate& b) const
     {
@@ -342,14 +344,15 @@ private:
         nearest[k] = nearest[k - 1];
       nearest[k] = candidate;
       if(size == wanted)
-        radius = samples.m_rounded.largest(nearest[wanted - 1].first);
+        shrink();
     }
     void drop_farthest()
     {
       std::nth_element(nearest, nearest + wanted - 1, nearest + size, in_order());
       size = wanted;
-      radius = samples.m_rounded.largest(nearest[wanted - 1].first);
+      shrink();
     }
+    void shrink() { radius = (std::min)(radius, samples.m_rounded.largest(nearest[wanted - 1].first)); }
     void finish()
     {
       if(room == wanted)

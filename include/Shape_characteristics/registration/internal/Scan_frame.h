@@ -27,7 +27,11 @@ public:
 
   // the distance of the farthest point from the centroid of its surface; 0 if there is none
   double size() const noexcept { return m_size; }
-  bool is_valid() const noexcept { return m_size > 0. && std::isfinite(m_size); }
+  bool is_valid() const
+  {
+    const double farthest = (std::max)(m_source.cwiseAbs().maxCoeff(), m_target.cwiseAbs().maxCoeff());
+    return m_size > 0. && std::isfinite(8. * (m_size + farthest)); // and so are the motions outside
+  }
 
   Eigen::Vector3d source(const Eigen::Vector3d& p) const { return (p - m_source) / m_size; }
   Eigen::Vector3d target(const Eigen::Vector3d& q) const { return (q - m_target) / m_size; }

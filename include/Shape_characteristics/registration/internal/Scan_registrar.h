@@ -15,6 +15,7 @@
 #include <Shape_characteristics/registration/fast_global_registration.h>
 #include <Shape_characteristics/registration/internal/Registration_assessor.h>
 #include <Shape_characteristics/registration/internal/centroid.h>
+#include <Shape_characteristics/registration/internal/scan_scale.h>
 #include <Shape_characteristics/registration/internal/thin_out.h>
 #include <Shape_characteristics/registration/internal/usable_points.h>
 #include <Shape_characteristics/registration/iterative_closest_point.h>
@@ -75,7 +76,9 @@ public:
   static Registration_outcome
   run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
   {
-    const Oriented_points s = in_order(usable_points(source)), t = in_order(usable_points(target));
+    const double unit = scan_scale(source, target);
+    const Oriented_points s = in_order(scaled(usable_points(source), unit)),
+                          t = in_order(scaled(usable_points(target), unit));
     const Eigen::Vector3d source_center = centroid(s.points), target_center = centroid(t.points);
     const Oriented_points centered_source = moved(s, source_center, 1.);
     const Oriented_points centered_target = moved(t, target_center, 1.);
@@ -141,7 +144,10 @@ public:
     for(Registration_hypothesis& h : outcome.hypotheses)
     {
       h.motion.linear() *= scale;
-      h.motion.translation() = target_center + (h.motion.translation() - h.motion.linear() * source_center);
+      h.motion.translation() =
+          (target_center + (h.motion.translation() - h.motion.linear() * source_center)) / unit;
+      if(!h.motion.matrix().allFinite())
+        return Registration_outcome();
     }
     return outcome;
   }
