@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -183,6 +184,27 @@ BOOST_AUTO_TEST_CASE(any_mesh_and_any_number_of_threads)
 }
 
 // Edges half as long, and the same points but for what the coarse one misses of the shape.
+// What is found has the kernel that is asked for.
+BOOST_AUTO_TEST_CASE(kernel_of_the_result)
+{
+  using Other_kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const SC::Head_features<Mesh, Other_kernel> head = SC::detect_head_features(
+      usual_head(), SC::parameters::head_is_aligned(true).geom_traits(Other_kernel()));
+  for(std::size_t k = 0; k < SC::number_of_head_features; ++k)
+  {
+    const auto& p = head.points[k].position;
+    BOOST_TEST(Point_3(p.x(), p.y(), p.z()) == usual_features().points[k].position);
+  }
+  // whose pose is to be estimated
+  const Head expected = SC::detect_head_features(usual_head());
+  const SC::Head_features<Mesh, Other_kernel> posed =
+      SC::detect_head_features(usual_head(), SC::parameters::geom_traits(Other_kernel()));
+  BOOST_TEST(int(posed.verdict) == int(expected.verdict));
+  for(int i = 0; i < 3; ++i)
+    for(int j = 0; j < 4; ++j)
+      BOOST_TEST(posed.transformation.m(i, j) == expected.transformation.m(i, j));
+}
+
 BOOST_AUTO_TEST_CASE(tessellation_hardly_matters)
 {
   const Head fine = detected(test_support::build_mesh<Mesh>(drawn_head::draw(drawn_head::Options(), 7)));

@@ -3,6 +3,7 @@
 #include "../../examples/support/data_file.h"
 
 #include <Shape_characteristics/head_features/estimate_head_pose.h>
+#include <Shape_characteristics/head_features/nose_tip_candidates.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -21,6 +22,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -148,6 +150,26 @@ BOOST_AUTO_TEST_CASE(the_way_up)
   BOOST_TEST(pose.confidence == 0.);
   BOOST_CHECK_THROW(SC::estimate_head_pose(mannequin(), params::upward_direction(Kernel::Vector_3(0, 0, 0))),
                     std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(places_like_a_nose)
+{
+  const auto candidates = SC::nose_tip_candidates(mannequin());
+  const Pose& pose = pose_of_mannequin();
+  BOOST_REQUIRE(!candidates.empty());
+  double nearest = HUGE_VAL;
+  for(std::size_t i = 0; i < candidates.size(); ++i)
+  {
+    nearest = (std::min)(nearest, std::sqrt(CGAL::squared_distance(candidates[i].point, pose.nose_tip)));
+    BOOST_TEST(std::abs(candidates[i].normal.squared_length() - 1.) < 1e-12);
+    BOOST_TEST(candidates[i].asymmetry >= 0.);
+    BOOST_TEST(candidates[i].prominence <= candidates[i > 0 ? i - 1 : 0].prominence);
+    for(std::size_t j = 0; j < i; ++j)
+      BOOST_TEST(candidates[i].point != candidates[j].point);
+  }
+  BOOST_TEST(nearest < .05 * pose.size);
+
+  BOOST_TEST(SC::nose_tip_candidates(Mesh()).empty());
 }
 
 BOOST_AUTO_TEST_CASE(not_heads)

@@ -64,6 +64,11 @@ namespace Shape_characteristics {
       \cgalParamType{a model of `ReadablePropertyMap` with value type `%Point_3`}
       \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
     \cgalParamNEnd
+    \cgalParamNBegin{geom_traits}
+      \cgalParamDescription{an instance of a geometric traits class}
+      \cgalParamType{a model of `Kernel`}
+      \cgalParamDefault{deduced from the point type}
+    \cgalParamNEnd
     \cgalParamNBegin{head_pose}
       \cgalParamDescription{the pose of the head; its transformation and its verdict are taken as they are. Not read if
                             `head_is_aligned`.}
@@ -161,7 +166,8 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
     Head_pose<Kernel> pose;
     if constexpr(parameters::is_default_parameter<NamedParameters, internal_np::head_pose_t>::value)
     {
-      pose = estimate_head_pose<ConcurrencyTag>(mesh, parameters::vertex_point_map(vpm));
+      pose =
+          estimate_head_pose<ConcurrencyTag>(mesh, parameters::vertex_point_map(vpm).geom_traits(Kernel()));
       is_pose_estimated = true;
     }
     else

@@ -16,6 +16,8 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstddef>
+#include <set>
 #include <type_traits>
 #include <vector>
 
@@ -70,9 +72,12 @@ auto nose_tip_candidates(const FaceGraph& mesh, const NamedParameters& np = para
   if(!surface.is_valid())
     return result;
   const std::vector<internal::Mirror_fit> mirrors = internal::Mirror_search(surface).run();
+  std::set<std::size_t> samples;
   for(const internal::Nose_candidate& c :
       internal::Pose_search(surface, internal::Mean_head::standard()).noses())
   {
+    if(!samples.insert(c.sample).second)
+      continue; // stands out of the other ball, too, by less
     const Eigen::Vector3d p = surface.center() + surface.size() * surface.points()[c.sample],
                           &n = surface.normals()[c.sample];
     Nose_tip_candidate<Kernel> candidate;

@@ -10,14 +10,19 @@
 #include <Shape_characteristics/internal/to_eigen.h>
 #include <Shape_characteristics/internal/whole_number.h>
 
+#include <CGAL/Cartesian_converter.h>
 #include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -83,10 +88,12 @@ void detect_by_thesis(const FaceGraph& mesh,
   for(const auto v : head.descriptors)
     described.push_back(get(descriptor_map, v));
   const Thesis_head_features found(head.surface.points, described, options);
+  using Point = typename boost::property_traits<std::decay_t<decltype(vpm)> >::value_type;
+  const CGAL::Cartesian_converter<typename CGAL::Kernel_traits<Point>::Kernel, Kernel> converted;
   result.is_head = true;
   for(std::size_t k = 0; k < number_of_head_features; ++k)
     if(found.points[k] != Thesis_head_features::none)
-      result.points[k] = {true, get(vpm, head.descriptors[found.points[k]]),
+      result.points[k] = {true, converted(get(vpm, head.descriptors[found.points[k]])),
                           head.descriptors[found.points[k]], 1.};
   for(std::size_t k = 0; k < number_of_head_regions; ++k)
   {
