@@ -313,6 +313,15 @@ BOOST_AUTO_TEST_CASE(units_and_places)
         BOOST_TEST(result.transformation.m(i, j) == (j < 3 ? 1. : unit) * reference.transformation.m(i, j),
                    boost::test_tools::tolerance(1e-9));
   }
+  // so far from each other that no number says how far
+  Scan on_the_left = source, on_the_right = source;
+  for(auto& [p, n] : on_the_left)
+    p = Point(1e306 * p.x() - 1.5e308, 1e306 * p.y(), 1e306 * p.z());
+  for(auto& [p, n] : on_the_right)
+    p = Point(1e306 * p.x() + 1.5e308, 1e306 * p.y(), 1e306 * p.z());
+  const Result beyond = registered(on_the_left, on_the_right);
+  BOOST_TEST(int(beyond.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST(to_eigen(beyond.transformation).matrix().allFinite());
   // far away, as coordinates of maps are
   Eigen::Affine3d away = Eigen::Affine3d::Identity();
   away.translation() = Vector3d(5e5, 5e6, 300.);

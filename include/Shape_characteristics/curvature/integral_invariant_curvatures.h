@@ -66,8 +66,7 @@ public:
     if(!close(fan, outward, section))
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
-    double height; // of the surface over the vertex: next to nothing
-    const std::array<double, 3> s = shape_operator_of_moments(section.moments(), frame.t1, frame.t2, height);
+    const std::array<double, 3> s = surface_of_moments(section.moments(), frame.t1, frame.t2).shape_operator;
     const double factor = side / radius;
     return Curvature_estimate(status, eigen_of_shape_operator(frame.normal, factor * s[0], factor * s[1],
                                                               factor * s[2], frame.t1, frame.t2));

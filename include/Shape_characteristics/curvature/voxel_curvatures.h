@@ -76,8 +76,7 @@ public:
       return Curvature_estimate(Estimation_status::DEGENERATE);
 
     const Tangent_frame frame(normal);
-    double height;
-    const std::array<double, 3> s = shape_operator_of_moments(m, frame.t1, frame.t2, height);
+    const auto [s, height] = surface_of_moments(m, frame.t1, frame.t2);
     const double of_disk = 1. - height * height;
     if(std::abs(height) > s_largest_height ||
        length < s_smallest_share * (CGAL_PI / 4.) * of_disk * of_disk) // what it is below a plane

@@ -4,6 +4,7 @@
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Registration_quality.h>
 #include <Shape_characteristics/registration/internal/Registration_assessor.h>
+#include <Shape_characteristics/registration/internal/moved_scan.h>
 #include <Shape_characteristics/registration/internal/scan_scale.h>
 
 #include <Eigen/Geometry>
@@ -39,7 +40,9 @@ inline Registration_quality assess_registration(const Oriented_points& source,
                                                 const Eigen::Isometry3d& motion)
 {
   const double unit = internal::scan_scale(source, target);
-  const Oriented_points s = internal::scaled(source, unit), t = internal::scaled(target, unit);
+  const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  const Oriented_points s = internal::moved_scan(source, origin, unit),
+                        t = internal::moved_scan(target, origin, unit);
   const double spacing =
       (std::max)(internal::Registration_assessor::spacing(s), internal::Registration_assessor::spacing(t));
   if(!(spacing > 0.))

@@ -127,9 +127,8 @@ public:
     else
     {
       const std::size_t count = (std::min)(m_neighborhood.count(), m_tree.entries().size());
-      const std::size_t room = count > s_few ? 2 * count : count;
-      workspace.m_nearest.resize(room);
-      const std::size_t found = collect_nearest(i, true, workspace.m_nearest.data(), count, room);
+      workspace.m_nearest.resize(room_for(count));
+      const std::size_t found = collect_nearest(i, true, workspace.m_nearest.data(), count);
       for(std::size_t k = 0; k < found; ++k)
         add(workspace.m_nearest[k].second);
     }
@@ -160,7 +159,7 @@ public:
     std::array<double, count> distances;
     std::size_t number = 0;
     if(m_tree.contains(i))
-      for(std::size_t j = 0, found = collect_nearest(i, false, nearest.data(), count, count); j < found; ++j)
+      for(std::size_t j = 0, found = collect_nearest(i, false, nearest.data(), count); j < found; ++j)
         if(const double d = spacing_between(nearest[j].second, i); std::isfinite(d))
         {
           // in ascending order, whatever the points' own: the sum then has the same bits
@@ -261,6 +260,9 @@ private:
 
   static constexpr std::size_t s_few = 64; // neighbors that are kept in order while they are found
 
+  // for the candidates among which so many nearest points are looked for
+  static std::size_t room_for(std::size_t wanted) { return wanted > s_few ? 2 * wanted : wanted; }
+
   static const Neighborhood& checked(const Neighborhood& neighborhood)
   {
     if(neighborhood.kind() == Neighborhood::Kind::RINGS)
@@ -299,14 +301,14 @@ private:
   };
 
   // The nearest points elsewhere, nearest first. Of equally far ones the order of coordinates (and normals) chooses: the tree
-  // alone would leave it to the order of the input. Where there is room for more than are wanted, they are only sorted in the end.
+  // alone would leave it to the order of the input. Few are kept in order while they are found, many are only sorted in the end.
   struct Nearest_search
   {
     const Point_set_samples& samples;
     const Eigen::Vector3d& center;
     bool are_usable; // those that are sought
     Candidate* nearest;
-    std::size_t wanted, room, size = 0;
+    std::size_t wanted, room = room_for(wanted), size = 0;
     double radius =
         (std::numeric_limits<double>::max)(); // squared; what is out of the range of numbers is out of reach
 
@@ -367,14 +369,10 @@ private:
     return (m_tree.scale() * (m_points[i] - m_points[j])).norm() / m_tree.scale();
   }
 
-  // returns how many there are, at most `count`; there is room for `room`
-  std::size_t collect_nearest(std::size_t i,
-                              bool are_usable,
-                              Candidate* nearest,
-                              std::size_t count,
-                              std::size_t room) const
+  // returns how many there are, at most `count`; there is room for `room_for(count)`
+  std::size_t collect_nearest(std::size_t i, bool are_usable, Candidate* nearest, std::size_t count) const
   {
-    Nearest_search search{*this, m_tree.point(i), are_usable, nearest, count, room};
+    Nearest_search search{*this, m_tree.point(i), are_usable, nearest, count};
     m_tree.search(search.center, search);
     search.finish();
     return search.size;

@@ -274,8 +274,15 @@ inline Volume_moments box_in_ball(const Eigen::Vector3d& low, const Eigen::Vecto
   return section.moments();
 }
 
-// The shape operator in the tangent plane of the unit vectors t1 and t2, in units of 1 / radius, of a solid whose moments in the
-// unit ball around a point of its surface are `m`.
+// The surface of a solid, as its moments in a ball show it.
+struct Surface_of_moments
+{
+  std::array<double, 3> shape_operator; // in the tangent plane, in units of 1 / radius
+  double height;                        // over the center of the ball, in units of the radius
+};
+
+// The surface of a solid whose moments in the unit ball around a point of it are `m`, over the tangent plane of the unit vectors t1
+// and t2.
 //
 // Over the tangent plane the surface is the height -x^T S x / 2 + ...; odd terms cancel in the integrals over the disk, so
 // that, up to the fourth power of the radius and relative to half of the ball, the volume is -pi / 8 tr S and the second
@@ -283,11 +290,9 @@ inline Volume_moments box_in_ball(const Eigen::Vector3d& low, const Eigen::Vecto
 // and the second moments by pi / 4 (h - 2 / 3 h^3 + h^5 / 5). Together they give tr S without h, but for its third power, which
 // is then known.
 //
-// `height` becomes h, of a plane exactly. Where it isn't small, that is all that can be said.
-inline std::array<double, 3> shape_operator_of_moments(const Volume_moments& m,
-                                                       const Eigen::Vector3d& t1,
-                                                       const Eigen::Vector3d& t2,
-                                                       double& height)
+// Of a plane, h is exact. Where it isn't small, that is all that can be said.
+inline Surface_of_moments
+surface_of_moments(const Volume_moments& m, const Eigen::Vector3d& t1, const Eigen::Vector3d& t2)
 {
   const double volume = m.volume - 2. * CGAL_PI / 3., half_ball = 2. * CGAL_PI / 15.;
   const Eigen::Vector3d image_1 = m.second * t1, image_2 = m.second * t2;
@@ -303,10 +308,9 @@ inline std::array<double, 3> shape_operator_of_moments(const Volume_moments& m,
     h -= (h * (1. + q * (2. / 3. - .6 * q)) - first) / (1. + q * (2. - 3. * q));
     h = (std::min)((std::max)(h, -.9), .9);
   }
-  height = h;
   const double half_trace = .5 * (trace - h * h * h * (8. - 4.8 * h * h));
   const double factor = -24. / CGAL_PI;
-  return {half_trace + factor * (xx - yy) / 2., factor * xy, half_trace - factor * (xx - yy) / 2.};
+  return {{half_trace + factor * (xx - yy) / 2., factor * xy, half_trace - factor * (xx - yy) / 2.}, h};
 }
 
 } // namespace internal

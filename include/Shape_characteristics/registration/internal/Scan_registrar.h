@@ -15,6 +15,7 @@
 #include <Shape_characteristics/registration/fast_global_registration.h>
 #include <Shape_characteristics/registration/internal/Registration_assessor.h>
 #include <Shape_characteristics/registration/internal/centroid.h>
+#include <Shape_characteristics/registration/internal/moved_scan.h>
 #include <Shape_characteristics/registration/internal/scan_scale.h>
 #include <Shape_characteristics/registration/internal/thin_out.h>
 #include <Shape_characteristics/registration/internal/usable_points.h>
@@ -77,11 +78,12 @@ public:
   run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
   {
     const double unit = scan_scale(source, target);
-    const Oriented_points s = in_order(scaled(usable_points(source), unit)),
-                          t = in_order(scaled(usable_points(target), unit));
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+    const Oriented_points s = in_order(moved_scan(usable_points(source), origin, unit)),
+                          t = in_order(moved_scan(usable_points(target), origin, unit));
     const Eigen::Vector3d source_center = centroid(s.points), target_center = centroid(t.points);
-    const Oriented_points centered_source = moved(s, source_center, 1.);
-    const Oriented_points centered_target = moved(t, target_center, 1.);
+    const Oriented_points centered_source = moved_scan(s, source_center, 1.);
+    const Oriented_points centered_target = moved_scan(t, target_center, 1.);
     Registration_outcome outcome;
     if(s.size() < s_few || t.size() < s_few)
       return outcome;
@@ -113,7 +115,7 @@ public:
     };
     if(goes_on() && has_other_size)
     {
-      const Registration_outcome other = search(moved(s, source_center, 1. / ratio));
+      const Registration_outcome other = search(moved_scan(s, source_center, 1. / ratio));
       if(other.verdict != Registration_verdict::FAILED)
       {
         outcome = failure(other, Registration_obstacle::DIFFERENT_UNITS);
@@ -229,14 +231,6 @@ private:
     for(std::size_t i = 0; i < scan.size(); i += step)
       chosen.push_back(i);
     return selected(scan, chosen);
-  }
-
-  static Oriented_points moved(const Oriented_points& scan, const Eigen::Vector3d& center, double scale)
-  {
-    Oriented_points result = scan;
-    for(Eigen::Vector3d& p : result.points)
-      p = scale * (p - center);
-    return result;
   }
 
   static Oriented_points mirrored(const Oriented_points& scan)

@@ -4,8 +4,6 @@
 #include <Shape_characteristics/internal/scale_to_range.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
 #include <cstddef>
 
@@ -22,14 +20,6 @@ inline double scan_scale(const Oriented_points& source, const Oriented_points& t
       if(scan->is_usable(i))
         largest = (std::max)(largest, scan->points[i].cwiseAbs().maxCoeff());
   return scale_to_range(largest);
-}
-
-inline Oriented_points scaled(Oriented_points scan, double scale)
-{
-  if(scale != 1.)
-    for(Eigen::Vector3d& p : scan.points)
-      p *= scale;
-  return scan;
 }
 
 } // namespace internal
