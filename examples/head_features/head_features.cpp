@@ -106,17 +106,19 @@ const char* name(SC::Head_obstacle obstacle)
     return "its sides aren't alike";
   case SC::Head_obstacle::WRONG_WAY_UP:
     return "it is upside down";
+  case SC::Head_obstacle::DUPLICATE:
+    return "each face has its own copies of its vertices";
   }
   return "";
 }
 
 std::string verdict(const Head& head)
 {
-  if(head.is_head)
-    return "a head";
   const std::string why = name(head.obstacle);
-  return std::string(head.verdict == SC::Head_verdict::UNCERTAIN ? "perhaps a head" : "not a head") +
-         (why.empty() ? "" : ": " + why);
+  const char* const what = head.is_head                                  ? "a head"
+                           : head.verdict == SC::Head_verdict::UNCERTAIN ? "perhaps a head"
+                                                                         : "not a head";
+  return what + (why.empty() ? "" : ": " + why);
 }
 
 void write_json(const std::string& file_name, const std::string& source, const Head& head)

@@ -14,6 +14,7 @@
 
 #include <CGAL/boost/graph/generators.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -285,10 +286,16 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_TEST(dynamic.number_of_failures() > 0u);
   for(const double x : {0., 2., 1., 7.})
   {
+    const std::vector<S> before(maps.status.begin(), maps.status.end());
     soup.point(Vertex(3)) = Kernel::Point_3(x, 0, 0);
     BOOST_TEST(dynamic.update(std::vector<Vertex>{Vertex(3)}) ==
                SC::rusinkiewicz_curvatures(soup, whole.parameters()));
     BOOST_TEST(first_difference(soup, maps, whole) == soup.number_of_vertices());
+    // the vertex that it meets or leaves is updated as well
+    const std::vector<Vertex> updated = dynamic.updated_vertices();
+    for(const Vertex v : soup.vertices())
+      if(maps.status[v] != before[v.idx()])
+        BOOST_TEST((std::find(updated.begin(), updated.end(), v) != updated.end()));
   }
 }
 

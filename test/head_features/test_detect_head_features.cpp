@@ -311,6 +311,32 @@ BOOST_AUTO_TEST_CASE(bad_inputs)
   BOOST_CHECK_THROW(detected(test_support::build_mesh<Mesh>(test_support::cube_of_quads())),
                     std::invalid_argument);
 
+  // a soup: whether its pose is known or not
+  Mesh soup;
+  for(const auto f : usual_head().faces())
+  {
+    std::vector<Mesh::Vertex_index> corners;
+    for(const auto v : usual_head().vertices_around_face(usual_head().halfedge(f)))
+      corners.push_back(soup.add_vertex(usual_head().point(v)));
+    soup.add_face(corners);
+  }
+  const auto aligned = SC::parameters::head_is_aligned(true);
+  const auto thesis = aligned.head_feature_method(SC::Head_feature_method::THESIS)
+                          .number_of_eye_vertices(300)
+                          .number_of_nose_vertices(200)
+                          .number_of_ear_vertices(150);
+  SC::Head_pose<Kernel> pose;
+  pose.verdict = SC::Head_verdict::HEAD;
+  pose.obstacle = SC::Head_obstacle::NONE;
+  const Head posed = SC::detect_head_features<CGAL::Sequential_tag>(soup, SC::parameters::head_pose(pose));
+  BOOST_TEST(posed.is_head);
+  for(const Head& head :
+      {posed, detected(soup), SC::detect_head_features<CGAL::Sequential_tag>(soup, thesis)})
+  {
+    BOOST_TEST((head.obstacle == SC::Head_obstacle::DUPLICATE));
+    check_found(head, "", false);
+  }
+
   // a vertex that is nowhere, far from all features
   Mesh mesh = usual_head();
   const auto v =

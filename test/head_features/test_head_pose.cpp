@@ -5,11 +5,13 @@
 #include <Shape_characteristics/head_features/estimate_head_pose.h>
 #include <Shape_characteristics/head_features/nose_tip_candidates.h>
 
+#include <CGAL/Polygon_mesh_processing/compute_normal.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/number_type_config.h>
+#include <CGAL/property_map.h>
 
 #include "analytic_surfaces.h"
 #include "check_names.h"
@@ -29,6 +31,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 BOOST_AUTO_TEST_SUITE(head_pose)
@@ -130,6 +133,39 @@ BOOST_AUTO_TEST_CASE(the_same_head_in_any_pose_and_unit)
     BOOST_TEST(std::abs(pose.size / (scale * first.size) - 1.) < .01);
     const Point p = pose.nose_tip.transform(pose.transformation);
     BOOST_TEST(std::sqrt(CGAL::squared_distance(p, tip)) < .02);
+  }
+}
+
+// what a scanner leaves around the head
+BOOST_AUTO_TEST_CASE(strays_do_not_matter)
+{
+  const Pose& pose = pose_of_mannequin();
+  for(const double away : {2., 30., 1e6}) // times the size of the head
+  {
+    Mesh mesh = mannequin();
+    for(int k = 0; k < 3; ++k)
+    {
+      const double x = away * pose.size * (k - 1), y = away * pose.size;
+      const auto a = mesh.add_vertex(Point(x, y, 0)), b = mesh.add_vertex(Point(x + .1 * pose.size, y, 0)),
+                 c = mesh.add_vertex(Point(x, y + .1 * pose.size, 0));
+      mesh.add_face(a, b, c);
+    }
+    const Pose with_strays = SC::estimate_head_pose(mesh);
+    BOOST_TEST(int(with_strays.verdict) == int(pose.verdict));
+    BOOST_TEST(std::abs(with_strays.size / pose.size - 1.) < .01);
+    BOOST_TEST(turns(transformation(with_strays), transformation(pose)).norm() < .5);
+    const auto noses = SC::nose_tip_candidates(mesh);
+    BOOST_TEST(noses.size() > 20u);
+    for(const auto& nose : noses)
+      BOOST_TEST(
+          (away < 10. || std::sqrt(CGAL::squared_distance(nose.point, pose.nose_tip)) < 5. * pose.size));
+
+    std::vector<std::pair<Point, Kernel::Vector_3> > points;
+    for(const auto v : mesh.vertices())
+      points.emplace_back(mesh.point(v), CGAL::Polygon_mesh_processing::compute_vertex_normal(v, mesh));
+    const auto np = params::point_map(CGAL::First_of_pair_property_map<std::pair<Point, Kernel::Vector_3> >())
+                        .normal_map(CGAL::Second_of_pair_property_map<std::pair<Point, Kernel::Vector_3> >());
+    BOOST_TEST(int(SC::estimate_head_pose(points, np).verdict) == int(pose.verdict));
   }
 }
 
@@ -255,7 +291,7 @@ BOOST_AUTO_TEST_CASE(every_verdict_and_obstacle_has_its_name)
   test_support::check_names<Head_verdict>({"HEAD", "UNCERTAIN", "NOT_A_HEAD"});
   test_support::check_names<Head_obstacle>({"NONE", "FEW_SAMPLES", "CANCELLED", "INSIDE_OUT", "NO_NOSE",
                                             "SHAPE_DISAGREES", "FACE_IS_INCOMPLETE", "NO_SYMMETRY",
-                                            "WRONG_WAY_UP"});
+                                            "WRONG_WAY_UP", "DUPLICATE"});
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -283,6 +283,15 @@ BOOST_AUTO_TEST_CASE(two_parts)
       s, t, Eigen::Isometry3d(Eigen::Matrix4d::Constant(std::numeric_limits<double>::quiet_NaN())));
   BOOST_TEST(none.number_of_near_points == 0u);
   BOOST_TEST(none.expected_agreement == quality.expected_agreement);
+
+  Eigen::Isometry3d stretched = Eigen::Isometry3d::Identity();
+  stretched.linear() *= 2.;
+  BOOST_CHECK_THROW(SC::assess_registration(s, t, stretched), std::invalid_argument);
+  SC::Oriented_points bad = t;
+  bad.normals[0] *= 2.;
+  BOOST_CHECK_THROW(SC::assess_registration(s, bad, Eigen::Isometry3d::Identity()), std::invalid_argument);
+  bad.normals.pop_back();
+  BOOST_CHECK_THROW(SC::assess_registration(s, bad, Eigen::Isometry3d::Identity()), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_CASE(units_and_places)

@@ -158,7 +158,8 @@ public:
     \param moved all vertices whose points have changed since the last update, or whose normals have where there is a map of
            them; each may come several times
     \return the number of vertices of the mesh that have no estimate
-    \throws std::invalid_argument if one isn't of the mesh
+    \throws std::invalid_argument if one isn't of the mesh, and what the estimator throws: then some of the vertices may be up to date, and all
+            are after another update with the same `moved`
 
     Complexity: that of the estimator, for those vertices that asked for one that has moved.
   */

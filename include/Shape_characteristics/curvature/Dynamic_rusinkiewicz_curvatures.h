@@ -153,7 +153,7 @@ public:
   /// the number of vertices of the mesh that have no estimate
   std::size_t number_of_failures() const noexcept { return m_failures; }
 
-  /// the vertices that were estimated by the last update, or by the constructor, in the order of the mesh
+  /// the vertices that the last update, or the constructor, wrote to: in the order of the mesh
   std::vector<vertex_descriptor> updated_vertices() const
   {
     std::vector<vertex_descriptor> result;
@@ -255,24 +255,42 @@ private:
     {
       Estimation_status& status = m_status[m_updated[k]];
       m_failures -= !is_estimated(status);
-      m_few -= status == Estimation_status::FEW_NEIGHBOURS;
+      m_few -= is_few(status);
       status = m_estimates[k].status;
       m_failures += !is_estimated(status);
-      m_few += status == Estimation_status::FEW_NEIGHBOURS;
+      m_few += is_few(status);
       internal::write_to_vertex(m_vertices[m_updated[k]], m_estimates[k], m_np);
     }
-    if(m_few > 0) // which of them are duplicates depends on all points
-    {
-      internal::Duplicates duplicates(m_samples);
-      for(std::size_t i = 0; i < m_samples.size(); ++i)
-        if(m_status[i] == Estimation_status::FEW_NEIGHBOURS)
-        {
-          internal::Curvature_estimate few(m_status[i]);
-          duplicates.mark(i, few);
-          internal::write_to_vertex(m_vertices[i], few, m_np);
-        }
-    }
+    if(m_few > 0)
+      mark_duplicates();
     return m_failures;
+  }
+
+  static bool is_few(Estimation_status status)
+  {
+    return status == Estimation_status::FEW_NEIGHBOURS || status == Estimation_status::DUPLICATE;
+  }
+
+  // which vertices with too few neighbors are duplicates depends on all points
+  void mark_duplicates()
+  {
+    internal::Duplicates duplicates(m_samples);
+    std::vector<Index> changed;
+    for(std::size_t i = 0; i < m_samples.size(); ++i)
+      if(is_few(m_status[i]))
+      {
+        internal::Curvature_estimate few(Estimation_status::FEW_NEIGHBOURS);
+        duplicates.mark(i, few);
+        if(few.status == m_status[i])
+          continue;
+        m_status[i] = few.status;
+        internal::write_to_vertex(m_vertices[i], few, m_np);
+        changed.push_back(Index(i));
+      }
+    std::vector<Index> both;
+    std::set_union(m_updated.begin(), m_updated.end(), changed.begin(), changed.end(),
+                   std::back_inserter(both));
+    m_updated.swap(both);
   }
 
   static constexpr std::size_t s_block = 1024; // of vertices that one thread takes
@@ -282,9 +300,9 @@ private:
   Face_graph_samples m_samples;
   std::vector<vertex_descriptor> m_vertices;
   std::unordered_map<vertex_descriptor, Index> m_index_of;
-  std::vector<bool> m_is_usable;           // as neighbors
-  std::vector<Index> m_ears;               // vertices of one face
-  std::vector<Estimation_status> m_status; // FEW_NEIGHBOURS also for duplicates
+  std::vector<bool> m_is_usable; // as neighbors
+  std::vector<Index> m_ears;     // vertices of one face
+  std::vector<Estimation_status> m_status;
   std::size_t m_failures, m_few = 0;
   std::vector<Index> m_updated;
   std::vector<internal::Curvature_estimate> m_estimates; // of them

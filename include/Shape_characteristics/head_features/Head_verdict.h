@@ -40,7 +40,9 @@ enum class Head_obstacle : unsigned char
   SHAPE_DISAGREES,    ///< no pose brings the shape and a mean head together well enough
   FACE_IS_INCOMPLETE, ///< a large part of the face, or one side of it, isn't there
   NO_SYMMETRY,        ///< the sides of the face aren't mirror images of each other
-  WRONG_WAY_UP        ///< the top isn't where `upward_direction` says
+  WRONG_WAY_UP,       ///< the top isn't where `upward_direction` says
+  DUPLICATE ///< there are no features to be found on a soup of faces, each of which has its own copies of its vertices:
+            ///< see `CGAL::Polygon_mesh_processing::stitch_borders()`
 };
 
 /// \ingroup PkgShapeCharacteristicsHeadFeatures
@@ -67,6 +69,8 @@ constexpr const char* to_string(Head_obstacle obstacle) noexcept
     return "NO_SYMMETRY";
   case Head_obstacle::WRONG_WAY_UP:
     return "WRONG_WAY_UP";
+  case Head_obstacle::DUPLICATE:
+    return "DUPLICATE";
   }
   return "";
 }

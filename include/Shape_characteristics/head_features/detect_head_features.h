@@ -185,16 +185,19 @@ auto detect_head_features(const FaceGraph& mesh, const NamedParameters& np = par
   }
   result.transformation = internal::affine_to_cgal<Kernel>(head.to_frame);
 
-  if(is_by_thesis)
-    internal::detect_by_thesis<ConcurrencyTag>(mesh, head, options, np, result);
-  else if(internal::detect_by_surface(head, expected, is_pose_estimated, result))
-    result.is_head = true;
-  else // a head without a face, or what was said to be an aligned head and isn't
+  bool has_features = false;
+  if(head.is_soup())
+    result.obstacle = Head_obstacle::DUPLICATE;
+  else if(is_by_thesis)
   {
-    if(is_aligned)
-      result.verdict = Head_verdict::NOT_A_HEAD;
-    result.is_head = result.verdict == Head_verdict::HEAD;
+    internal::detect_by_thesis<ConcurrencyTag>(mesh, head, options, np, result);
+    has_features = true;
   }
+  else
+    has_features = internal::detect_by_surface(head, expected, is_pose_estimated, result);
+  if(is_aligned && !has_features) // what was said to be a head
+    result.verdict = Head_verdict::NOT_A_HEAD;
+  result.is_head = has_features || result.verdict == Head_verdict::HEAD;
   return result;
 }
 

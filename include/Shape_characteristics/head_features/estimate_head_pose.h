@@ -58,6 +58,8 @@ Eigen::Vector3d upward_direction_of(const NamedParameters& np)
   head may be turned in any way, one that is upside down is fine, and its pose tells so; where the way up is known, say it by
   `upward_direction`.
 
+  Small pieces and points that are far from all else, as scanners leave them, are left out.
+
   The frame isn't the one in which another would have placed the head: faces differ, and what is "level" is a matter of
   definition. On heads of ICT-FaceKit that the mean head doesn't contain, pitch differs by some 2° from that model's (root mean
   square), yaw and roll by 0.3°; `detect_head_features()` knows the pitch better. The same head in another pose gets the same frame

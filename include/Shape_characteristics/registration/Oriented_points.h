@@ -18,7 +18,7 @@ namespace Shape_characteristics {
   alike.
 
   Points that can't be used (with infinite coordinates, without a normal) keep their number and are left out by every step:
-  they are those with a coordinate or a normal that isn't finite.
+  they are those with a coordinate or a normal that isn't finite, or the normal 0.
 */
 struct Oriented_points
 {
@@ -47,8 +47,11 @@ struct Oriented_points
 
   /// number of points
   std::size_t size() const noexcept { return points.size(); }
-  /// whether point `i` and its normal are finite
-  bool is_usable(std::size_t i) const { return points[i].allFinite() && normals[i].allFinite(); }
+  /// whether point `i` and its normal are finite, and the normal is not 0
+  bool is_usable(std::size_t i) const
+  {
+    return points[i].allFinite() && normals[i].allFinite() && !normals[i].isZero(0.);
+  }
 };
 
 } // namespace Shape_characteristics

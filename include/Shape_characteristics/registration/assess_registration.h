@@ -4,6 +4,7 @@
 #include <Shape_characteristics/registration/Oriented_points.h>
 #include <Shape_characteristics/registration/Registration_quality.h>
 #include <Shape_characteristics/registration/internal/Registration_assessor.h>
+#include <Shape_characteristics/registration/internal/check_oriented_points.h>
 #include <Shape_characteristics/registration/internal/moved_scan.h>
 #include <Shape_characteristics/registration/internal/scan_scale.h>
 
@@ -30,6 +31,9 @@ namespace Shape_characteristics {
   \return the quality; all its numbers but `expected_agreement`, which the scans alone determine, are 0 if they aren't near each
           other anywhere or the motion isn't finite, and that as well if one has no two different points that can be used
 
+  \throws std::invalid_argument if there are more or less normals than points or one is neither 0 nor of unit length, or `motion`
+          stretches or mirrors
+
   The spacing of a scan is the mean distance of its points to their 6 nearest ones; the larger one of the two is taken. If scans are
   not equally dense, the denser one should be thinned out.
 
@@ -39,6 +43,8 @@ inline Registration_quality assess_registration(const Oriented_points& source,
                                                 const Oriented_points& target,
                                                 const Eigen::Isometry3d& motion)
 {
+  internal::check_normals(source, target);
+  internal::check_motion(motion);
   const double unit = internal::scan_scale(source, target);
   const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const Oriented_points s = internal::moved_scan(source, origin, unit),

@@ -194,7 +194,8 @@ private:
           `DEGENERATE` if they are all in one point, or `start` isn't finite. The motion has converged when the limits have shrunk to
           the end, and a step is shorter than 1e-7 of the radius.
 
-  \throws std::invalid_argument if a point has no normal, or a parameter is out of its range
+  \throws std::invalid_argument if there are more or less normals than points or one is neither 0 nor of unit length, `start` stretches
+          or mirrors, or a parameter is out of its range
 
   The result depends neither on the unit of length nor on the position of the surfaces, up to rounding.
 
@@ -222,6 +223,7 @@ Rigid_alignment iterative_closest_point(const Oriented_points& source,
   if(limit < 1)
     throw std::invalid_argument("Shape_characteristics: number_of_iterations must be positive");
   internal::check_normals(source, target);
+  internal::check_motion(start);
 
   Rigid_alignment result;
   const internal::Scan_frame frame(source, target);

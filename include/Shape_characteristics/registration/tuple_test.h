@@ -161,8 +161,8 @@ private:
           triples comes several times, and so weighs more in what is estimated from them. Correspondences of points that
           aren't usable are left out.
 
-  \throws std::invalid_argument if a point has no normal, a correspondence names a point that isn't there, or a parameter is
-          out of its range
+  \throws std::invalid_argument if there are more or less normals than points or one is neither 0 nor of unit length, a correspondence
+          names a point that isn't there, or a parameter is out of its range
 
   The result depends neither on the unit of length nor on the position of the surfaces, up to rounding.
 

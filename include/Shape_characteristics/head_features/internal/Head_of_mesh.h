@@ -94,6 +94,20 @@ struct Head_of_mesh
     return result;
   }
 
+  // whether no vertex has more than one triangle
+  bool is_soup() const
+  {
+    std::vector<bool> is_used(surface.points.size());
+    for(const auto& t : surface.triangles)
+      for(const auto v : t)
+      {
+        if(is_used[v])
+          return false;
+        is_used[v] = true;
+      }
+    return surface.triangles.size() > 1;
+  }
+
   // Turns all triangles if the surface is inside out: seen from the back of its box, a head or a scan of a face faces away.
   void orient()
   {

@@ -90,7 +90,6 @@ void detect_by_thesis(const FaceGraph& mesh,
   const Thesis_head_features found(head.surface.points, described, options);
   using Point = typename boost::property_traits<std::decay_t<decltype(vpm)> >::value_type;
   const CGAL::Cartesian_converter<typename CGAL::Kernel_traits<Point>::Kernel, Kernel> converted;
-  result.is_head = true;
   for(std::size_t k = 0; k < number_of_head_features; ++k)
     if(found.points[k] != Thesis_head_features::none)
       result.points[k] = {true, converted(get(vpm, head.descriptors[found.points[k]])),

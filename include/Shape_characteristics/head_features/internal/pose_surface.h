@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_SURFACE_H
 
 #include <Shape_characteristics/head_features/internal/pose_grid.h>
+#include <Shape_characteristics/head_features/internal/pose_strays.h>
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
 
 #include <Eigen/Core>
@@ -74,6 +75,9 @@ public:
                    all.numbers[i]);
     if(usable.points.size() < few)
       return;
+    leave_out_strays(usable);
+    if(usable.points.size() < few)
+      return;
     set_frame(usable.points);
     if(!(m_size > 0.) || !std::isfinite(m_size))
       return;
@@ -125,6 +129,18 @@ public:
   const Eigen::Vector3d& smooth_normal(const std::size_t i) const { return m_smooth_normals[i]; }
 
 private:
+  static void leave_out_strays(Pose_points& all)
+  {
+    const std::vector<bool> is_stray = find_strays(all.points, evenly_spread(all.points, many));
+    if(std::find(is_stray.begin(), is_stray.end(), true) == is_stray.end())
+      return;
+    Pose_points kept;
+    for(std::size_t i = 0; i < all.points.size(); ++i)
+      if(!is_stray[i])
+        kept.add(all.points[i], all.normals[i], all.min_curvatures[i], all.max_curvatures[i], all.numbers[i]);
+    all = std::move(kept);
+  }
+
   void set_frame(const std::vector<Eigen::Vector3d>& points)
   {
     const std::vector<std::size_t> spread = evenly_spread(points, many);
@@ -152,16 +168,7 @@ private:
       m_mean[scale].assign(n, 0.);
       m_Gaussian[scale].assign(n, 0.);
     }
-    std::vector<double> nearest;
-    {
-      const Nearest_point_search among(m_points);
-      const std::size_t step = (std::max)(n / 500, std::size_t(1));
-      for(std::size_t i = 0; i < n; i += step)
-        if(const auto j = among.nearest_elsewhere(i); j != Nearest_point_search::none)
-          nearest.push_back((m_points[i] - m_points[j]).norm());
-    }
-    std::nth_element(nearest.begin(), nearest.begin() + std::ptrdiff_t(nearest.size() / 2), nearest.end());
-    m_spacing = nearest[nearest.size() / 2];
+    m_spacing = spacing_of(m_points);
 
     const double radius = (std::min)((std::max)(1.5 * m_spacing, .03), radii[0]);
     m_smooth_normals.assign(m_all.points.size(), Eigen::Vector3d::Zero());
