@@ -23,7 +23,7 @@ enum class Estimation_status : unsigned char
   BORDER,    ///< estimated, but from a one-sided neighborhood: the sample lies on the border of the surface
   FEW_NEIGHBOURS, ///< the neighborhood has too few samples to determine the quantity
   DEGENERATE, ///< the neighborhood doesn't determine the quantity: coincident or collinear points, a fit that failed
-  NON_FINITE_INPUT, ///< the point or the normal of the sample is infinite, NaN, or a zero normal
+  NON_FINITE_INPUT, ///< the point or the normal of the sample is infinite or NaN, or the normal is zero
   UNREFERENCED,     ///< no face is incident to the vertex; of a pixel: it shows no surface
   /// too few neighbors, and another vertex at the very same point: the mesh is a soup of faces, see
   /// `CGAL::Polygon_mesh_processing::stitch_borders()`. Told of whole meshes; an estimate of one vertex says `FEW_NEIGHBOURS`

@@ -161,7 +161,7 @@ public:
     \throws std::invalid_argument if one isn't of the mesh, and what the estimator throws: then some of the vertices may be up to date, and all
             are after another update with the same `moved`
 
-    Complexity: that of the estimator, for those vertices that asked for one that has moved.
+    Complexity: that of the estimator, for those vertices that asked for one that has moved, and a bit for each vertex of the mesh.
   */
   template <typename VertexRange>
   std::size_t update(const VertexRange& moved)

@@ -98,7 +98,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDefault{`2`}
       \cgalParamExtra{Of \f$ r \f$ rings, the \f$ \max(6 r (r + 1), 48) \f$ nearest vertices take part, twice as many as a
                       regular mesh has; with exact normals \f$ \max(11 r (r + 1) / 3, 22) \f$, and farther ones have a part
-                      where the nearest aren't spread over the surface, as at the poles of a sphere of longitudes.}
+                      where the nearest aren't spread over the surface, as at the poles of a sphere of longitudes. With a
+                      basis function that isn't positive definite, all take part.}
       \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
                       less than 5 neighbors, up to two rings are added.}
     \cgalParamNEnd
@@ -137,14 +138,14 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
                       the check of exact ones.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_passes}
-      \cgalParamDescription{how often points and normals are fitted; each pass hands on smoothed ones}
+      \cgalParamDescription{how often points and normals are fitted, from 1 to 1000; each pass hands on smoothed ones}
       \cgalParamType{`unsigned int`}
       \cgalParamDefault{1 if the noise level is below 0.0001, else 3}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{polynomial_degree}
-      \cgalParamDescription{the degree of a polynomial that is added to the basis functions, whose weights see no polynomial of that
-                            degree then}
+      \cgalParamDescription{the degree of a polynomial, from -1 to 8, that is added to the basis functions, whose weights see no
+                            polynomial of that degree then}
       \cgalParamType{an integer type}
       \cgalParamDefault{`-1`: none, as in the thesis}
       \cgalParamExtra{\f$ (t - 1)/2 \f$ makes the system of `Polyharmonic<t>` definite, \f$ t/2 \f$ that of
@@ -153,14 +154,14 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
                       many equations as monomials. Only with a basis function that isn't positive definite.}
     \cgalParamNEnd
     \cgalParamNBegin{sampling_distance}
-      \cgalParamDescription{the minimal distance in the Poisson-disc pattern over which derivatives are averaged (8.1.3)}
+      \cgalParamDescription{the minimal distance in the Poisson-disc pattern over which derivatives are averaged (8.1.3), in (0, 1]}
       \cgalParamType{`double`}
       \cgalParamDefault{`0.3`}
       \cgalParamExtra{Only with another basis function and inexact normals.}
     \cgalParamNEnd
     \cgalParamNBegin{random_seed}
       \cgalParamDescription{chooses that pattern}
-      \cgalParamType{`unsigned int`}
+      \cgalParamType{an integer type}
       \cgalParamDefault{`4`}
     \cgalParamNEnd
     \cgalParamNBegin{shape_parameter_box}
@@ -173,7 +174,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
   \throws std::invalid_argument if a parameter has a value without meaning (no rings, a radius that isn't positive, a
-          basis function that isn't valid, a negative noise level, no passes)
+          basis function that isn't valid or has no second derivatives at the origin, a negative noise level, no passes)
 
   Complexity: linear in the number of vertices \f$ n \f$: \f$ O(n m^3) \f$ for neighborhoods of \f$ m \f$ vertices.
 
@@ -210,6 +211,8 @@ std::size_t hrbf_curvatures(const FaceGraph& mesh, const NamedParameters& np = p
 
   \return whether the curvatures were estimated, or why not
 
+  \throws std::invalid_argument as for the whole mesh
+
   Complexity: that of the neighborhood, whatever the size of the mesh.
 */
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
@@ -245,6 +248,7 @@ Estimation_status hrbf_curvatures(typename internal::Vertex_descriptor<FaceGraph
       \cgalParamDefault{`18`}
     \cgalParamNEnd
     \scRadiusOfPointSetParameter
+    \scCallbackParameter
   \cgalNamedParamsEnd
 
   \return the number of points that could not be estimated. Their values are quiet NaN, their status says why.

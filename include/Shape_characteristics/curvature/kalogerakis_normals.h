@@ -52,8 +52,8 @@ std::vector<Normal_estimate> kalogerakis_normal_estimates(SampledSurface& surfac
   \param mesh the mesh
   \param normals the property map in which the unit normals are written, by one thread and after the
          computation: it may be the one that is given as `vertex_normal_map`
-  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `vertex_status_map`, and those that describe
-         the input and the neighborhood of `kalogerakis_curvatures()`. `vertex_normal_map` gives the normals to start from.
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `vertex_status_map`, `number_of_passes` (at least 1;
+         2 by default), `callback`, and those that describe the input and the neighborhood of `kalogerakis_curvatures()`. `vertex_normal_map` gives the normals to start from.
 
   \return the number of vertices without an estimate; quiet NaN is written for them.
 
@@ -91,7 +91,7 @@ std::size_t kalogerakis_normals(const FaceGraph& mesh,
 
   \throws std::invalid_argument as for the whole mesh
 
-  Complexity: that of the neighborhoods of the vertex and of its neighbors, whatever the size of the mesh.
+  Complexity: that of the neighborhoods of the vertex, of its neighbors and of theirs, once for each pass, whatever the size of the mesh.
 */
 template <typename FaceGraph,
           typename Vector_3,
@@ -123,8 +123,8 @@ Estimation_status kalogerakis_normals(typename internal::Vertex_descriptor<FaceG
   \param points the point set
   \param normals the property map in which the unit normals are written, by one thread and after the
          computation: it may be the one that is given as `normal_map`
-  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `status_map`, and those that describe the
-         input and the neighborhood of `kalogerakis_curvatures()`
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `status_map`, `number_of_passes` (at least 1; 2 by
+         default), `callback`, and those that describe the input and the neighborhood of `kalogerakis_curvatures()`
 
   \return the number of points without an estimate; quiet NaN is written for them.
 

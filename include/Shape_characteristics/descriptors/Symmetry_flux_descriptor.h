@@ -49,7 +49,8 @@ namespace Shape_characteristics {
   The radius is that of the ball if the surface's neighbors are those in a ball, and the distance of the farthest
   neighbor otherwise.
 
-  The status of samples with less than 3 neighbors is `FEW_NEIGHBOURS`, with all of them in a line `DEGENERATE`.
+  The status of samples with less than 3 neighbors is `FEW_NEIGHBOURS`; with all of them in a line, or where a flux with a unit is too
+  large for a `float`, `DEGENERATE`.
 
   \tparam SampledSurface a model of the concept `SampledSurface`; for the methods of meshes, `Face_graph_samples`
 

@@ -185,8 +185,8 @@ std::vector<Deformed_vertex> deform_rigidly(Mesh& mesh,
 
   \return the number of vertices that moved
 
-  \throws std::invalid_argument if a face is not a triangle, one near a handle has no area, or the system of equations can't be
-          solved; and as `deform_by_handles()` does for handles
+  \throws std::invalid_argument if a face is not a triangle, one near a handle has no area, the system of equations can't be
+          solved, or `number_of_iterations` is less than 1; and as `deform_by_handles()` does for handles
 
   Complexity: linear in the size of the mesh, and the solution of a sparse system of \f$ m \f$ unknowns for \f$ m \f$ vertices
   within \f$ 3 \sigma \f$.

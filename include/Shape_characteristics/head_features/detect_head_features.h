@@ -43,8 +43,9 @@ namespace Shape_characteristics {
   are where an ear is nearest to the corners of the outer side of its box, in the mean over some thousandths of the head's height, and
   R5 is near the mean of these.
 
-  `Head_feature_method::THESIS` is chapter 9 to the letter, for comparison: vertices alone, each the one with the greatest measure
-  (9.1) to (9.6). Its errors are its own: with the printed radius of 0.6 the chin is the tip of the nose, and no mouth is found
+  `Head_feature_method::THESIS` is chapter 9 to the letter, for comparison: vertices alone, those with the greatest measure of
+  (9.1) and (9.4) to (9.6), and with the smallest of (9.2) and (9.3). ((9.1) is taken as its text says; that eyes are spherical, which the
+  text says as well, would ask for the smallest.) Its errors are its own: with the printed radius of 0.6 the chin is the tip of the nose, and no mouth is found
   between the two. Where the pose of a head is given or the mesh is said to be an aligned head, it answers whatever the mesh is, and its
   confidences are all 1.
 
@@ -70,8 +71,9 @@ namespace Shape_characteristics {
       \cgalParamDefault{deduced from the point type}
     \cgalParamNEnd
     \cgalParamNBegin{head_pose}
-      \cgalParamDescription{the pose of the head; its transformation and its verdict are taken as they are. Not read if
-                            `head_is_aligned`.}
+      \cgalParamDescription{the pose of the head: its transformation, its verdict, its obstacle and, but for the thesis's method, its
+                            `nose_tip`, near which the search begins, are taken as they are. Nothing is found unless the verdict is
+                            `HEAD`. Not read if `head_is_aligned`.}
       \cgalParamType{`Head_pose`}
       \cgalParamDefault{found by `estimate_head_pose()`}
     \cgalParamNEnd

@@ -147,7 +147,7 @@ inline double longest_side(const Face_graph_samples& samples)
 
   \return the number of vertices whose curvatures could not be estimated. Their descriptors are quiet NaN.
 
-  \throws std::invalid_argument if the radius is negative or NaN; what the estimator throws
+  \throws std::invalid_argument if the radius is negative or not finite; what the estimator throws
 
   Complexity: that of the estimator, and linear in the number of vertices times that of their neighbors.
 */

@@ -197,8 +197,8 @@ private:
   \return the handles, for `deform_by_handles()` or `deform_as_rigid_as_possible()`
 
   \throws std::invalid_argument if a feature point that the expression needs was not found, and names it: M1 and M2 for expressions of
-          the mouth, R1 and R3 of one ear at least for its lobe, CHIN and M4 or N1 for the chin, and N1, N2 and N4 for the nose; if
-          `intensity` is not finite
+          the mouth, R1 and R3 of one ear at least for its lobe, CHIN and M4 or N1 for the chin, and N1, N2 and N4 for the nose; if two
+          of them coincide or one isn't finite; if the head's transformation can't be inverted; if `intensity` is not finite
 
   Complexity: constant.
 

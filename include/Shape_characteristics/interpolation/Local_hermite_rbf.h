@@ -104,7 +104,7 @@ public:
     double mean_spacing = 0.;
   };
 
-  /// \throws std::invalid_argument if the basis function is not valid
+  /// \throws std::invalid_argument if the basis function is not valid or has no second derivatives at the origin
   Local_hermite_rbf(const SampledSurface& surface, const RadialBasisFunction& phi, const Options& options)
     : m_surface(surface),
       m_phi(phi),

@@ -54,7 +54,7 @@ hrbf_normal_estimates(SampledSurface& surface, std::size_t size, const NamedPara
   \param mesh the mesh
   \param normals the property map in which the unit normals are written, by one thread and after the
          computation: it may be the one that is given as `vertex_normal_map`
-  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `vertex_status_map` and those that
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `vertex_status_map`, `callback`, and those that
          describe the input and the fit of `hrbf_curvatures()`. `vertex_normal_map` gives the normals to start from; `normals_are_exact`
          should not be set.
 
@@ -89,6 +89,8 @@ std::size_t hrbf_normals(const FaceGraph& mesh,
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters", as for the whole mesh
 
   \return whether there is a normal, or why not
+
+  \throws std::invalid_argument as for the whole mesh
 */
 template <typename FaceGraph,
           typename Vector_3,
@@ -119,10 +121,12 @@ Estimation_status hrbf_normals(typename internal::Vertex_descriptor<FaceGraph>::
   \param points the point set
   \param normals the property map in which the unit normals are written, by one thread and after the
          computation: it may be the one that is given as `normal_map`
-  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `status_map` and those that
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `status_map`, `callback`, and those that
          describe the input and the fit of `hrbf_curvatures()`
 
   \return the number of points without an estimate; quiet NaN is written for them.
+
+  \throws std::invalid_argument as for meshes, and if there is no normal map
 */
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename PointRange,

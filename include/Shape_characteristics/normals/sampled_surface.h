@@ -49,6 +49,9 @@ namespace Shape_characteristics {
       \cgalParamDefault{`Normal_weighting::MAX`}
     \cgalParamNEnd
   \cgalNamedParamsEnd
+
+  \throws std::invalid_argument if the neighborhood is one of point sets
+  \throws std::length_error if the mesh has too many vertices or faces, see `Face_graph_samples`
 */
 template <typename ConcurrencyTag = CGAL::Parallel_if_available_tag,
           typename FaceGraph,
@@ -99,7 +102,19 @@ sampled_surface(const FaceGraph& mesh,
   \ingroup PkgShapeCharacteristicsNormals
 
   makes a sampled surface of a vertex of a mesh (which becomes sample 0) and of what is reached from it by
-  going from neighbors to neighbors `reach` times. The parameters are those of the whole mesh.
+  going from neighbors to neighbors `reach` times.
+
+  \tparam FaceGraph a model of `FaceListGraph`
+  \tparam NamedParameters a sequence of \ref sc_namedparameters "Named Parameters"
+
+  \param v the vertex
+  \param mesh the mesh
+  \param neighborhood what the neighbors of a vertex are
+  \param reach how often one goes from neighbors to neighbors, see `Face_graph_samples`
+  \param np an optional sequence of \ref sc_namedparameters "Named Parameters", as for the whole mesh
+
+  \throws std::invalid_argument as for the whole mesh
+  \throws std::length_error as for the whole mesh
 */
 template <typename FaceGraph, typename NamedParameters = parameters::Default_named_parameters>
 Face_graph_samples sampled_surface(typename internal::Vertex_descriptor<FaceGraph>::type v,
@@ -163,7 +178,8 @@ Face_graph_samples sampled_surface(typename internal::Vertex_descriptor<FaceGrap
     \cgalParamNEnd
   \cgalNamedParamsEnd
 
-  \throws std::invalid_argument if there is no normal map
+  \throws std::invalid_argument if there is no normal map, or the neighborhood is one of meshes
+  \throws std::length_error if there are too many points, see `Point_set_samples`
 */
 template <typename PointRange,
           typename NamedParameters = parameters::Default_named_parameters,

@@ -10,6 +10,8 @@ namespace Shape_characteristics {
 
   tells how well two scans fit together after a motion of one of them. It looks at the surfaces, and knows nothing
   of the descriptors and correspondences that the motion was found with. All numbers are free of units.
+
+  Points and normals are averaged over 16 neighbors before, along the normal.
 */
 struct Registration_quality
 {
@@ -22,7 +24,8 @@ struct Registration_quality
   /// what the agreement of a right registration would be, in [0, 1]: that of the points with their own scan, at the nearest other
   /// point of it. It is less than 1 where there is noise.
   double expected_agreement = 0.;
-  /// the correlation of the curvatures of the near points with those of the other scan there, in [-1, 1]; 0 if there are few
+  /// the correlation of the ranks of the near points' curvatures with those of the other scan there, in [-1, 1]; 0 if there are less
+  /// than 10
   double curvature_correlation = 0.;
   /// the share of the near points where the surfaces cross or turn their backs to each other, in [0, 1]: normals are more than
   /// 90 degrees apart

@@ -43,7 +43,7 @@ enum class Registration_obstacle : unsigned char
   CANCELLED,           ///< the callback stopped the search
   FEW_CORRESPONDENCES, ///< too few descriptors are alike: the surfaces have nothing in common, or no features at all
   SURFACES_DISAGREE, ///< what was found doesn't bring the surfaces together
-  DIFFERENT_UNITS,   ///< one scan is many times as large as the other, with points as many times as far apart
+  DIFFERENT_UNITS, ///< one scan is at least 2.5 times as large as the other, with points as many times as far apart
   REFLECTION,     ///< the scans come together only mirrored: one was, or they are the two sides of one object
   SLIDING,        ///< the surfaces can be moved along each other: planes, spheres, cylinders
   SEVERAL_MOTIONS ///< the object can't be told from itself after a rotation

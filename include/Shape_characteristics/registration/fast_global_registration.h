@@ -127,8 +127,8 @@ inline double conditioning_of_points(const std::vector<Eigen::Vector3d>& points)
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{maximum_correspondence_distance}
-      \cgalParamDescription{how far apart the points of right correspondences may be, in units of the larger surface's radius:
-                            the largest distance of a point from the centroid}
+      \cgalParamDescription{how far apart the points of right correspondences may be, in units of the larger surface's radius
+                            (the largest distance of a point from the centroid), in (0, 1]}
       \cgalParamType{`double`}
       \cgalParamDefault{`0.025`}
     \cgalParamNEnd

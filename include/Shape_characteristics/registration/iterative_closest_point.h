@@ -171,13 +171,13 @@ private:
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{maximum_correspondence_distance}
-      \cgalParamDescription{how far apart the points of a pair may be in the beginning, in units of the larger surface's radius:
-                            the largest distance of a point from the centroid}
+      \cgalParamDescription{how far apart the points of a pair may be in the beginning, in units of the larger surface's radius
+                            (the largest distance of a point from the centroid); positive}
       \cgalParamType{`double`}
       \cgalParamDefault{`0.1`}
     \cgalParamNEnd
     \cgalParamNBegin{minimum_normal_cosine}
-      \cgalParamDescription{the smallest cosine of the angle between the normals of a pair}
+      \cgalParamDescription{the smallest cosine of the angle between the normals of a pair, in [-1, 1)}
       \cgalParamType{`double`}
       \cgalParamDefault{`0.7`}
     \cgalParamNEnd

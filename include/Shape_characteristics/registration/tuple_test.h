@@ -136,17 +136,17 @@ private:
       \cgalParamDefault{`true`}
     \cgalParamNEnd
     \cgalParamNBegin{normal_tolerance}
-      \cgalParamDescription{how much the cosines, and the volume of unit vectors, may differ}
+      \cgalParamDescription{how much the cosines, and the volume of unit vectors, may differ; not negative}
       \cgalParamType{`double`}
       \cgalParamDefault{`0.3`}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_tuples}
-      \cgalParamDescription{how many triples are enough}
+      \cgalParamDescription{how many triples are enough; not negative}
       \cgalParamType{an integer type}
       \cgalParamDefault{`1000`}
     \cgalParamNEnd
     \cgalParamNBegin{tries_per_correspondence}
-      \cgalParamDescription{how many triples are drawn at most, per correspondence}
+      \cgalParamDescription{how many triples are drawn at most, per correspondence; not negative}
       \cgalParamType{an integer type}
       \cgalParamDefault{`100`}
     \cgalParamNEnd

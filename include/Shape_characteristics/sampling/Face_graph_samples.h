@@ -135,6 +135,9 @@ public:
     \param reach see above
     \param[out] copied the vertices of the samples
 
+    \throws std::invalid_argument as for the whole mesh
+    \throws std::length_error as for the whole mesh
+
     Complexity: linear in the number of vertices copied.
   */
   template <typename FaceGraph, typename VertexPointMap>

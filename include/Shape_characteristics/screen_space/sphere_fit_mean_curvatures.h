@@ -143,7 +143,8 @@ private:
 
   \cgalNamedParamsBegin
     \cgalParamNBegin{mean_curvature_map}
-      \cgalParamDescription{a property map in which the mean curvatures are written}
+      \cgalParamDescription{a property map in which the mean curvatures are written: those of spheres, which
+                            `min_curvature_map` and `max_curvature_map` get as well}
       \cgalParamType{a model of `WritablePropertyMap` with value type `float`}
       \cgalParamDefault{not written}
     \cgalParamNEnd

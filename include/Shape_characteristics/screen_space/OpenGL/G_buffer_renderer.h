@@ -226,6 +226,7 @@ public:
     \param width number of columns; may be 0
     \param height number of rows; may be 0
     \throws std::invalid_argument if a size is negative or larger than OpenGL has it, or the camera has another kind of depth
+    \throws std::runtime_error if OpenGL has no framebuffer of that size
   */
   G_buffer_textures draw(const Camera& camera, int width, int height)
   {

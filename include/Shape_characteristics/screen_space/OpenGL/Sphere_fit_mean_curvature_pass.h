@@ -45,6 +45,7 @@ public:
     \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `pixel_radius`, as of `sphere_fit_mean_curvatures()`
     \return 0 if the picture has no pixels
     \throws std::invalid_argument if a parameter is out of its range, or the size is negative
+    \throws std::runtime_error if a shader doesn't compile, with the words of the driver
   */
   template <typename NamedParameters = parameters::Default_named_parameters>
   unsigned operator()(const G_buffer_textures& g_buffer,
