@@ -586,6 +586,14 @@ BOOST_AUTO_TEST_CASE(other_units)
   BOOST_TEST(int(result.obstacle) == int(Registration_obstacle::DIFFERENT_UNITS));
   BOOST_TEST(result.scale_ratio == 1000., boost::test_tools::tolerance(.02));
   BOOST_TEST(error(source, result.transformation, motion.inverse()) < .05);
+
+  // of another size because they are other surfaces: there are enough points, if the unit is another
+  const Scan left = scan_of<Lumpy_ball>(2600, 1, [](const Vector3d&p) { return p.x() < -.3; }),
+             right = scan_of<Lumpy_ball>(2600, 2, [](const Vector3d&p) { return p.x() > .3; });
+  const Result unrelated = registered(moved(right, some_motion() * Eigen::Scaling(30.)), left);
+  BOOST_TEST(int(unrelated.verdict) == int(Registration_verdict::FAILED));
+  BOOST_TEST((unrelated.obstacle == Registration_obstacle::FEW_CORRESPONDENCES ||
+              unrelated.obstacle == Registration_obstacle::SURFACES_DISAGREE));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_parameters)

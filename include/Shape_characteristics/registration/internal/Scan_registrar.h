@@ -122,8 +122,10 @@ public:
         outcome.scale_ratio = ratio;
         scale = 1. / ratio;
       }
-      else if(other.obstacle == Registration_obstacle::CANCELLED)
-        outcome.obstacle = Registration_obstacle::CANCELLED;
+      // the smaller one has few samples as far apart as those of the larger one, unless both are of one size
+      else if(other.obstacle == Registration_obstacle::CANCELLED ||
+              outcome.obstacle == Registration_obstacle::FEW_SAMPLES)
+        outcome.obstacle = other.obstacle;
     }
     if(goes_on())
     {
