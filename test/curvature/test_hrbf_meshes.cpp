@@ -113,6 +113,28 @@ BOOST_AUTO_TEST_CASE(scale_of_open_point_sets)
 }
 
 // to the last bit
+// The neighbors of a border vertex are on one side. Two rings of them are few; so rings grow there.
+BOOST_AUTO_TEST_CASE(borders)
+{
+  for(const Analytic_surface& s : {test_support::saddle(1., 24, .3), test_support::waves(.1, 2., 1., 32, .3),
+                                   test_support::monkey_saddle(.5, 24, .3)})
+  {
+    const Result result = run(by_default, s, Normals::ESTIMATED);
+    double sum = 0., count = 0.;
+    for(std::size_t i = 0; i < s.exact.size(); ++i)
+      if(const Exact_vertex& e = s.exact[i]; e.border)
+      {
+        BOOST_TEST((result.status[i] == SC::Estimation_status::BORDER));
+        const Curvatures& c = result.curvatures[i];
+        sum += std::abs(c.min_curvature - e.k_min) + std::abs(c.max_curvature - e.k_max);
+        count += 1.;
+      }
+    const double error = sum / (count * largest_curvature(s));
+    BOOST_TEST_MESSAGE(s.name << ": error at the border " << error);
+    BOOST_TEST(error < .003);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(powers_of_two)
 {
   const auto check = [](const auto& estimator, Normals normals)

@@ -636,12 +636,22 @@ BOOST_AUTO_TEST_CASE(cancelled_at_any_time)
     advancement.clear();
     return SC::register_partial_scans<CGAL::Sequential_tag>(source, target, maps.callback(callback), maps);
   };
+  const auto check_advancement = [&]
+  {
+    BOOST_TEST_REQUIRE(advancement.size() > 5u);
+    BOOST_TEST(std::is_sorted(advancement.begin(), advancement.end()));
+    BOOST_TEST(advancement.front() == 0.);
+    BOOST_TEST(advancement.back() == 1.);
+  };
+  // where the first try does
+  BOOST_TEST(int(SC::register_partial_scans<CGAL::Sequential_tag>(right_part(2), target,
+                                                                  maps.callback(callback), maps)
+                     .verdict) == int(Registration_verdict::SUCCESS));
+  check_advancement();
   search(0); // to the end
+  check_advancement();
   const std::size_t all = advancement.size();
-  BOOST_REQUIRE(all > 5u);
-  BOOST_TEST(std::is_sorted(advancement.begin(), advancement.end()));
-  BOOST_TEST(advancement.back() <= 1.);
-  for(const std::size_t calls : {std::size_t(1), all / 2, all})
+  for(const std::size_t calls : {std::size_t(1), std::size_t(2), all / 2, all - 1, all})
   {
     const Result result = search(calls);
     BOOST_TEST(int(result.verdict) == int(Registration_verdict::FAILED));

@@ -178,7 +178,7 @@ private:
       const bool is_exact = m_options.normals_are_exact;
       const Estimation_status status = neighborhood.collect_evenly(
           m_surface, i, workspace.surface, internal::largest_neighborhood(m_surface.neighborhood(), is_exact),
-          internal::Scaled_neighborhood::desired, is_exact);
+          internal::desired_neighborhood(m_surface, i, is_exact), is_exact);
       return is_exact && is_estimated(status) && internal::contradicts_others(neighborhood.normals)
                  ? Estimation_status::DEGENERATE
                  : status;

@@ -11,6 +11,7 @@
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Polynomial_part.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
@@ -196,7 +197,11 @@ private:
     typename SampledSurface::Workspace workspace;
     for(std::size_t begin = 0; passes > 0; --passes)
       for(const std::size_t end = samples.size(); begin != end; ++begin)
-        for(const Index j : surface.neighbors(samples[begin], Scaled_neighborhood::nearest, workspace))
+        for(const Index j :
+            surface.neighbors(samples[begin],
+                              (std::max)(Scaled_neighborhood::nearest,
+                                         desired_neighborhood(surface, samples[begin], false)),
+                              workspace))
           if(!has_part[j])
           {
             has_part[j] = 1;

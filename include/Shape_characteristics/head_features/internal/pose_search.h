@@ -378,7 +378,7 @@ public:
           const Eigen::Vector3d x = sign * mirror.normal;
           for(const double pitch : {-60., -40., -20., 0., 20., 40.})
           {
-            const Eigen::Vector3d z = Eigen::AngleAxisd(pitch * EIGEN_PI / 180., x) * front;
+            const Eigen::Vector3d z = Eigen::AngleAxisd(pitch * double(EIGEN_PI) / 180., x) * front;
             Placement_fit h;
             h.placement.rotation.col(0) = x;
             h.placement.rotation.col(1) = z.cross(x);
@@ -419,7 +419,7 @@ public:
     {
       if(.5 * (best.left + best.right) > .8)
         break; // so it is closed
-      const std::vector<Eigen::Vector3d> rest = m_head.with_open_mouth(opening * EIGEN_PI / 180.);
+      const std::vector<Eigen::Vector3d> rest = m_head.with_open_mouth(opening * double(EIGEN_PI) / 180.);
       const Placement_fit plain = assess(place, rest);
       Placement_fit fit = assess(place, bend(place, rest));
       // how well the head fits as it is counts as well: what has to be bent a lot is rather something else

@@ -230,8 +230,8 @@ private:
   static constexpr std::size_t s_smallest_shared = 12; // points of a neighborhood that may be shared
 
   // Rounding would be seen in such weights, in units of the neighborhood's size: when waves and polynomials were scaled, by 1e-9 of the
-  // largest curvature on point sets, where neighbors are on one side more often, and by some 1e-8 over rings. There, to refine as
-  // many would take random points of a mesh half as long again.
+  // largest curvature on point sets, where neighbors are on one side more often, and at borders, and by some 1e-8 over rings elsewhere.
+  // There, to refine as many would take random points of a mesh half as long again.
   static constexpr double s_large_exact_weight = 2e3, s_large_noisy_weight = 5e4;
   static constexpr double s_large_exact_weight_of_rings = 2e5, s_large_noisy_weight_of_rings = 1e6;
 
@@ -315,7 +315,7 @@ private:
     const bool is_exact = m_options.normals_are_exact;
     const Estimation_status status = neighborhood.collect_evenly(
         m_surface, i, workspace.m_surface, largest_neighborhood(m_surface.neighborhood(), is_exact),
-        Scaled_neighborhood::desired, is_exact);
+        desired_neighborhood(m_surface, i, is_exact), is_exact);
     if(!is_estimated(status))
     {
       output.surface(i, failure(status));
@@ -536,9 +536,10 @@ private:
   {
     if(!m_options.large_weights_are_refined || batch.is_positive_definite[lane] == 0.)
       return false;
-    const bool is_of_rings = m_surface.neighborhood().kind() == Neighborhood::Kind::RINGS;
-    const double large_exact = is_of_rings ? s_large_exact_weight_of_rings : s_large_exact_weight;
-    const double large_noisy = is_of_rings ? s_large_noisy_weight_of_rings : s_large_noisy_weight;
+    const bool has_rings_around = m_surface.neighborhood().kind() == Neighborhood::Kind::RINGS &&
+                                  task.status != Estimation_status::BORDER;
+    const double large_exact = has_rings_around ? s_large_exact_weight_of_rings : s_large_exact_weight;
+    const double large_noisy = has_rings_around ? s_large_noisy_weight_of_rings : s_large_noisy_weight;
     return task.shape_parameter * std::sqrt(batch.weight_square[lane]) >
            (m_options.normals_are_exact ? large_exact : large_noisy);
   }

@@ -228,6 +228,20 @@ inline std::size_t largest_neighborhood(const Neighborhood& neighborhood, bool i
   return is_exact ? (std::max)(11 * regular / 9, std::size_t(22)) : (std::max)(2 * regular, std::size_t(48));
 }
 
+// How many neighbors a fit should have: where rings have less, they grow. Around a vertex of the border, they have half as many as
+// elsewhere, all on one side: enough for exact normals, which tell that much; with inexact ones, a fit to so few has several times
+// the error.
+template <typename SampledSurface>
+std::size_t desired_neighborhood(const SampledSurface& surface, std::size_t i, bool is_exact)
+{
+  using Kind = decltype(surface.neighborhood().kind());
+  if(is_exact || surface.neighborhood().kind() != Kind::RINGS ||
+     surface.status(i) != Estimation_status::BORDER)
+    return Scaled_neighborhood::desired;
+  const std::size_t rings = surface.neighborhood().count(), regular = 3 * rings * (rings + 1);
+  return 13 * regular / 10;
+}
+
 // a step of Newton's method from `displacement` towards the zero set, along its normal in space before it was scaled
 inline void
 step_to_zero_set(const Hermite_jet& jet, const Axis_scaling& scaling, Eigen::Vector3d& displacement)

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Noise_probes.h>
 #include <Shape_characteristics/interpolation/internal/Sample_patches.h>
 #include <Shape_characteristics/interpolation/internal/for_each_patch.h>
@@ -110,7 +111,10 @@ private:
       for(std::size_t k = begin; k < m_inner.size(); ++k)
         add_outer(m_inner[k]);
       for(std::size_t k = begin; k < m_inner.size(); ++k)
-        for(const Index j : m_surface.neighbors(m_inner[k], Scaled_neighborhood::nearest, workspace))
+        for(const Index j : m_surface.neighbors(
+                m_inner[k],
+                (std::max)(Scaled_neighborhood::nearest, desired_neighborhood(m_surface, m_inner[k], false)),
+                workspace))
           add_outer(j);
     }
   }

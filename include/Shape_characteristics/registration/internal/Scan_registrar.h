@@ -77,6 +77,9 @@ public:
   static Registration_outcome
   run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
   {
+    Registration_outcome outcome;
+    if(options.callback && !options.callback(0.))
+      return failure(outcome, Registration_obstacle::CANCELLED);
     const double unit = scan_scale(source, target);
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     const Oriented_points s = in_order(moved_scan(usable_points(source), origin, unit)),
@@ -84,7 +87,6 @@ public:
     const Eigen::Vector3d source_center = centroid(s.points), target_center = centroid(t.points);
     const Oriented_points centered_source = moved_scan(s, source_center, 1.);
     const Oriented_points centered_target = moved_scan(t, target_center, 1.);
-    Registration_outcome outcome;
     if(s.size() < s_few || t.size() < s_few)
       return outcome;
 
@@ -145,6 +147,8 @@ public:
       else if(other.obstacle == Registration_obstacle::CANCELLED)
         outcome.obstacle = Registration_obstacle::CANCELLED;
     }
+    if(outcome.obstacle != Registration_obstacle::CANCELLED && options.callback && !options.callback(1.))
+      outcome = failure(outcome, Registration_obstacle::CANCELLED);
     for(Registration_hypothesis& h : outcome.hypotheses)
     {
       h.motion.linear() *= scale;
@@ -295,24 +299,35 @@ private:
       if(other != n)
         attempts.emplace_back(other, true);
     attempts.emplace_back((std::max)(n, std::size_t(60)), false);
+    constexpr double part_of_attempts = .9;
     double done = 0.;
+    bool is_cancelled = false;
     for(const auto& [neighbors, uses_mirrored] : attempts)
     {
-      try_features(neighbors, uses_mirrored, found, outcome.obstacle);
-      done += 1. / double(attempts.size());
-      if(m_options.callback && !m_options.callback(done))
-      {
-        outcome.hypotheses = found;
-        return failure(outcome, Registration_obstacle::CANCELLED);
-      }
-      if(!found.empty() && passes(found[0].quality))
+      const double part = part_of_attempts / double(attempts.size());
+      try_features(
+          neighbors, uses_mirrored,
+          [&](const double advancement)
+          {
+            is_cancelled = m_options.callback && !m_options.callback(done + part * advancement);
+            return is_cancelled;
+          },
+          found, outcome.obstacle);
+      done += part;
+      if(is_cancelled || (!found.empty() && passes(found[0].quality)))
         break;
     }
-    if(found.empty() || !passes(found[0].quality))
-      try_frames(found);
-    if(found.empty())
+    if(!is_cancelled)
+    {
+      if(found.empty() || !passes(found[0].quality))
+        try_frames(found);
+      is_cancelled = m_options.callback && !m_options.callback(part_of_attempts);
+    }
+    if(found.empty() && !is_cancelled)
       return outcome;
     outcome.hypotheses = found;
+    if(is_cancelled)
+      return failure(outcome, Registration_obstacle::CANCELLED);
     const Registration_hypothesis best = found[0];
     if(!passes(best.quality))
       return outcome;
@@ -409,12 +424,20 @@ private:
     return result;
   }
 
+  // `is_cancelled` is asked with the advancement in [0, 1]
+  template <typename IsCancelled>
   void try_features(std::size_t neighbors,
                     bool uses_mirrored,
+                    const IsCancelled& is_cancelled,
                     std::vector<Registration_hypothesis>& found,
                     Registration_obstacle& obstacle)
   {
-    const Features of_source = features(m_source, neighbors), of_target = features(m_target, neighbors);
+    const Features of_source = features(m_source, neighbors);
+    if(is_cancelled(.2))
+      return;
+    const Features of_target = features(m_target, neighbors);
+    if(is_cancelled(.4))
+      return;
     std::vector<Correspondence> matches =
         uses_mirrored ? match_descriptors<ConcurrencyTag>(
                             of_source.values, of_target.values,
@@ -423,7 +446,7 @@ private:
     // Then what the first motion leaves over: objects that are their own after a rotation have several.
     for(int round = 0; round < 2; ++round)
     {
-      if(matches.size() < s_few)
+      if(is_cancelled(.6 + .2 * round) || matches.size() < s_few)
         return;
       const std::vector<Correspondence> tuples =
           tuple_test(m_source, m_target, matches, parameters::random_seed(m_options.seed));
