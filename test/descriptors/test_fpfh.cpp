@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -477,6 +478,9 @@ BOOST_AUTO_TEST_CASE(functions_for_meshes_and_point_sets)
   BOOST_TEST((rows.values.row(0) == of_mesh.values.row(30)));
   BOOST_TEST((rows.values.row(1) == of_mesh.values.row(7)));
   BOOST_TEST((rows.status[1] == S::BORDER));
+  const SC::Descriptor_matrix same = SC::fpfh_descriptors(
+      mesh, np::vertex_normal_map(normals).neighbor_radius(.3).descriptor_samples(std::cref(some)));
+  BOOST_TEST((same.values == rows.values));
 
   for(const int wrong : {-1, n * n})
     BOOST_CHECK_EXCEPTION(

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
+#include <Shape_characteristics/internal/unwrapped.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/internal/Descriptor_matcher.h>
 #include <Shape_characteristics/registration/internal/check_statuses.h>
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <stdexcept>
 #include <type_traits>
@@ -27,18 +27,6 @@ inline void check_descriptors(const Descriptor_matrix& matrix, const Descriptor_
   if(matrix.values.rows() > 0 && target.values.rows() > 0 && matrix.values.cols() != target.values.cols())
     throw std::invalid_argument(
         "Shape_characteristics: descriptors of different dimensions can't be matched");
-}
-
-template <typename T>
-const T& unwrapped(const T& value)
-{
-  return value;
-}
-
-template <typename T>
-const T& unwrapped(const std::reference_wrapper<T>& reference)
-{
-  return reference.get();
 }
 
 // the samples of the rows of a matrix: those given, or 0, 1, 2, ...

@@ -5,6 +5,7 @@
 #include <Shape_characteristics/descriptors/Descriptor_matrix.h>
 #include <Shape_characteristics/descriptors/compute_descriptors.h>
 #include <Shape_characteristics/internal/callback_of.h>
+#include <Shape_characteristics/internal/unwrapped.h>
 
 #include <cstddef>
 #include <functional>
@@ -23,7 +24,9 @@ std::vector<std::size_t> descriptor_samples_of(std::size_t size, const NamedPara
 
   std::vector<std::size_t> samples;
   if constexpr(!is_default_parameter<NamedParameters, internal_np::descriptor_samples_t>::value)
-    for(const auto i : get_parameter(np, internal_np::descriptor_samples))
+  {
+    const auto given = get_parameter(np, internal_np::descriptor_samples);
+    for(const auto i : unwrapped(given))
     {
       // a negative one becomes too large
       if(std::size_t(i) >= size)
@@ -31,6 +34,7 @@ std::vector<std::size_t> descriptor_samples_of(std::size_t size, const NamedPara
                                     "from 0 to one less than their number");
       samples.push_back(std::size_t(i));
     }
+  }
   return samples;
 }
 
