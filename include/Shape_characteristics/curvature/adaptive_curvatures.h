@@ -64,8 +64,8 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
 
   Before all this, it is tried whether a vertex and its neighbors lie on a quadric, to eight digits of their distances: on a
   sphere, a cylinder, a cone, an ellipsoid, a paraboloid, a hyperboloid, as the faces of technical parts do, or on two planes that
-  meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are, unless that of the vertex
-  leans by more than 37 degrees.
+  meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are, unless
+  that of the vertex leans by more than 37 degrees.
   Where a profile was moved, or scaled, with vertices in rows and columns, there are five points of the profile within two rings, and
   a conic goes through any five: there the third ring has to agree, if it isn't a circle.
 

@@ -101,8 +101,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
                       where the nearest aren't spread over the surface, as at the poles of a sphere of longitudes. With a
                       basis function that isn't positive definite, all take part.}
       \cgalParamExtra{More rings are more accurate where the mesh is fine compared to the shape, and slower. Where there are
-                      less than 5 neighbors, up to two rings are added; and so they are, with a positive definite basis function and inexact normals, where a vertex of
-                      the border has less than \f$ 3.9 r (r + 1) \f$.}
+                      less than 5 neighbors, up to two rings are added. They are as well where a vertex of the border has less than
+                      \f$ 3.9 r (r + 1) \f$ neighbors, with a positive definite basis function and inexact normals.}
     \cgalParamNEnd
     \scRadiusOfMeshParameter
     \cgalParamNBegin{fits_are_shared}

@@ -53,7 +53,8 @@ std::vector<Normal_estimate> kalogerakis_normal_estimates(SampledSurface& surfac
   \param normals the property map in which the unit normals are written, by one thread and after the
          computation: it may be the one that is given as `vertex_normal_map`
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters": `vertex_status_map`, `number_of_passes` (at least 1;
-         2 by default), `callback`, and those that describe the input and the neighborhood of `kalogerakis_curvatures()`. `vertex_normal_map` gives the normals to start from.
+         2 by default), `callback`, and those that describe the input and the neighborhood of `kalogerakis_curvatures()`.
+         `vertex_normal_map` gives the normals to start from.
 
   \return the number of vertices without an estimate; quiet NaN is written for them.
 

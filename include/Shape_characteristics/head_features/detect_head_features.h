@@ -44,10 +44,10 @@ namespace Shape_characteristics {
   R5 is near the mean of these.
 
   `Head_feature_method::THESIS` is chapter 9 to the letter, for comparison: vertices alone, those with the greatest measure of
-  (9.1) and (9.4) to (9.6), and with the smallest of (9.2) and (9.3). ((9.1) is taken as its text says; that eyes are spherical, which the
-  text says as well, would ask for the smallest.) Its errors are its own: with the printed radius of 0.6 the chin is the tip of the nose, and no mouth is found
-  between the two. Where the pose of a head is given or the mesh is said to be an aligned head, it answers whatever the mesh is, and its
-  confidences are all 1.
+  (9.1) and (9.4) to (9.6), and with the smallest of (9.2) and (9.3). ((9.1) is taken as its text says; that eyes are spherical,
+  which the text says as well, would ask for the smallest.) Its errors are its own: with the printed radius of 0.6 the chin is the
+  tip of the nose, and no mouth is found between the two. Where the pose of a head is given or the mesh is said to be an aligned
+  head, it answers whatever the mesh is, and its confidences are all 1.
 
   Nothing depends on the unit and the place of the mesh, nor, up to the accuracy of its estimate, on the pose.
 

@@ -75,9 +75,10 @@ Symmetry_detection<Kernel> detect_symmetry_plane_of(const Pose_points& points)
   point from the center), with normals at most 37° apart. So the plane needs to be neither near the center of mass nor
   exact, and parts may be missing on one side.
 
-  Small pieces of the surface that are far from all else are left out: those of less than 1 % of the samples, behind a gap of more than
-  a quarter of the median distance of samples from the middle. The curvatures and normals are averaged over 6 % of the radius, and the samples are evenly spread: noise and tessellation have little
-  influence. Nothing depends on the unit, the place and the pose of the shape, up to the choice of samples.
+  Small pieces of the surface that are far from all else are left out: those of less than 1 % of the samples, behind a gap of more
+  than a quarter of the median distance of samples from the middle. The curvatures and normals are averaged over 6 % of the
+  radius, and the samples are evenly spread: noise and tessellation have little influence. Nothing depends on the unit, the place
+  and the pose of the shape, up to the choice of samples.
 
   \scConcurrencyTag
   \tparam FaceGraph a model of `FaceListGraph`

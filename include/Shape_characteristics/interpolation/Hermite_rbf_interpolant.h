@@ -26,7 +26,8 @@ namespace Shape_characteristics {
   interpolates points and normals of a surface by radial basis functions and their gradients,
   \f$ f(x) = \sum_i \alpha_i\, \phi(\|x - P_i\|) - \beta_i \cdot \nabla\phi(\|x - P_i\|) \f$ with \f$ f(P_i) = 0 \f$ and
   \f$ \nabla f(P_i) = n_i \f$ (I. Macêdo, J. P. Gois, L. Velho, Hermite Radial Basis Functions Implicits, 2011; thesis,
-  section 3.2.2, equations 3.9 to 3.11, where \f$ \beta_i \f$ has the other sign). In contrast to `Rbf_interpolant`, no off-surface points are needed.
+  section 3.2.2, equations 3.9 to 3.11, where \f$ \beta_i \f$ has the other sign). In contrast to `Rbf_interpolant`, no
+  off-surface points are needed.
 
   The surface is the zero set; \f$ f \f$ is negative inside and positive outside, and near the surface about
   the signed distance. Value, gradient and Hessian matrix can be evaluated anywhere; from the latter two,
@@ -76,8 +77,8 @@ public:
     \tparam NormalRange a model of `ConstRange` whose value type is `Vector_3`
 
     \throws std::invalid_argument if `points` is empty, `normals` has another size, a coordinate is not finite, a
-    normal is zero, the basis function is not valid or has no second derivatives at the origin (`Polyharmonic<1>`, `Polyharmonic_logarithmic<2>`),
-    or the degree isn't between -1 and 8
+    normal is zero, the basis function is not valid or has no second derivatives at the origin
+    (`Polyharmonic<1>`, `Polyharmonic_logarithmic<2>`), or the degree isn't between -1 and 8
   */
   template <typename PointRange, typename NormalRange>
   Hermite_rbf_interpolant(const PointRange& points,

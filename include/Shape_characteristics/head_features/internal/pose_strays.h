@@ -42,6 +42,7 @@ inline std::vector<bool> find_strays(const std::vector<Eigen::Vector3d>& points,
   constexpr double far = .25;   // in median distances from the middle of the shape
   constexpr double sparse = 4.; // spacings of samples, which are no gap
   constexpr double small = .01; // part of the samples
+  constexpr double limit = 1e6; // gaps, beyond which it doesn't matter how far
 
   std::vector<bool> is_stray(points.size(), false);
   const Eigen::Vector3d first = points[spread[0]]; // coordinates may be large
@@ -56,6 +57,8 @@ inline std::vector<bool> find_strays(const std::vector<Eigen::Vector3d>& points,
                    [c](const Eigen::Vector3d& p) { return p[c]; });
     middle[c] = median(numbers);
   }
+  if(!middle.allFinite())
+    return is_stray;
   std::transform(samples.begin(), samples.end(), numbers.begin(),
                  [&](const Eigen::Vector3d& p) { return (p - middle).norm(); });
   const double gap = (std::max)(far * median(numbers), sparse * spacing_of(samples));
@@ -63,8 +66,11 @@ inline std::vector<bool> find_strays(const std::vector<Eigen::Vector3d>& points,
     return is_stray;
 
   // pieces of samples that are reached from one another
-  Pose_grid grid(samples, gap);
-  for(std::size_t i = 0; i < samples.size(); ++i)
+  std::vector<Eigen::Vector3d> places;
+  for(const Eigen::Vector3d& p : samples)
+    places.push_back(((p - middle) / gap).cwiseMin(limit).cwiseMax(-limit));
+  Pose_grid grid(places, 1.);
+  for(std::size_t i = 0; i < places.size(); ++i)
     grid.insert(i);
   std::vector<bool> is_reached(samples.size(), false), is_small(samples.size(), false);
   bool is_any_small = false;
@@ -75,7 +81,7 @@ inline std::vector<bool> find_strays(const std::vector<Eigen::Vector3d>& points,
     is_reached[start] = true;
     std::vector<std::size_t> piece = {start};
     for(std::size_t next = 0; next < piece.size(); ++next)
-      grid.for_each_within(samples[piece[next]], gap,
+      grid.for_each_within(places[piece[next]], 1.,
                            [&](const std::size_t j, double)
                            {
                              if(!is_reached[j])
@@ -94,7 +100,8 @@ inline std::vector<bool> find_strays(const std::vector<Eigen::Vector3d>& points,
     return is_stray;
   const Nearest_point_search search(samples);
   for(std::size_t i = 0; i < points.size(); ++i)
-    is_stray[i] = is_small[search.nearest(points[i] - first)];
+    if(const auto j = search.nearest(points[i] - first); j != Nearest_point_search::none)
+      is_stray[i] = is_small[j];
   return is_stray;
 }
 
