@@ -249,7 +249,7 @@ with_more_digits(const Face_graph_samples& samples, std::size_t i, const SC::Loc
   Face_graph_samples::Workspace workspace;
   neighborhood.collect_evenly(samples, i, workspace,
                               internal::largest_neighborhood(samples.neighborhood(), exact),
-                              internal::Scaled_neighborhood::desired, exact);
+                              internal::desired_neighborhood(samples, i, exact), exact);
   const std::size_t m = neighborhood.points.size();
   const double unit =
       exact ? internal::shape_parameter_of_exact_fit(m) : internal::shape_parameter_of_noisy_fit;
