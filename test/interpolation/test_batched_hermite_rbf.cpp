@@ -253,11 +253,13 @@ with_more_digits(const Face_graph_samples& samples, std::size_t i, const SC::Loc
   const std::size_t m = neighborhood.points.size();
   const double unit =
       exact ? internal::shape_parameter_of_exact_fit(m) : internal::shape_parameter_of_noisy_fit;
-  const internal::Hermite_trend trend =
+  internal::Hermite_trend trend =
       exact ? internal::trend_of_exact_fit(neighborhood, unit)
             : internal::Hermite_trend(internal::trend_of_noisy_fit(neighborhood.normals));
   const internal::Exact_fit_attempts exact_noise(neighborhood);
   const internal::Noisy_fit_attempts noise(neighborhood, 1e-6);
+  if(!exact && noise.bends_trend())
+    internal::bend_by_heights(trend, neighborhood.points);
   const Number value_noise = unit * unit * (exact ? exact_noise.value_variance() : noise.value_variance());
   const Number derivative_noise = exact ? exact_noise.derivative_variance() : noise.derivative_variance();
 
