@@ -588,8 +588,8 @@ BOOST_AUTO_TEST_CASE(other_units)
   BOOST_TEST(error(source, result.transformation, motion.inverse()) < .05);
 
   // of another size because they are other surfaces: there are enough points, if the unit is another
-  const Scan left = scan_of<Lumpy_ball>(2600, 1, [](const Vector3d&p) { return p.x() < -.3; }),
-             right = scan_of<Lumpy_ball>(2600, 2, [](const Vector3d&p) { return p.x() > .3; });
+  const Scan left = scan_of<Lumpy_ball>(2600, 1, [](const Vector3d& p) { return p.x() < -.3; });
+  const Scan right = scan_of<Lumpy_ball>(2600, 2, [](const Vector3d& p) { return p.x() > .3; });
   const Result unrelated = registered(moved(right, some_motion() * Eigen::Scaling(30.)), left);
   BOOST_TEST(int(unrelated.verdict) == int(Registration_verdict::FAILED));
   BOOST_TEST((unrelated.obstacle == Registration_obstacle::FEW_CORRESPONDENCES ||

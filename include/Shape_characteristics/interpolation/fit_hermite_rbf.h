@@ -198,10 +198,7 @@ private:
     for(std::size_t begin = 0; passes > 0; --passes)
       for(const std::size_t end = samples.size(); begin != end; ++begin)
         for(const Index j :
-            surface.neighbors(samples[begin],
-                              (std::max)(Scaled_neighborhood::nearest,
-                                         desired_neighborhood(surface, samples[begin], false)),
-                              workspace))
+            surface.neighbors(samples[begin], seen_neighborhood(surface, samples[begin]), workspace))
           if(!has_part[j])
           {
             has_part[j] = 1;

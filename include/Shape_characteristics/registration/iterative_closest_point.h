@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/Named_function_parameters.h>
+#include <Shape_characteristics/internal/median.h>
 #include <Shape_characteristics/internal/whole_number.h>
 #include <Shape_characteristics/registration/Correspondence.h>
 #include <Shape_characteristics/registration/Oriented_points.h>
@@ -84,10 +85,8 @@ public:
         m_distances.push_back(std::abs(t.distance));
     if(m_distances.empty())
       return;
-    const auto middle = m_distances.begin() + std::ptrdiff_t(m_distances.size() / 2);
-    std::nth_element(m_distances.begin(), middle, m_distances.end());
     // 95 % efficient for normally distributed distances, of which the median is 1 / 1.4826 of the standard deviation
-    const double width = (std::max)(4.685 * 1.4826 * *middle, narrowest);
+    const double width = (std::max)(4.685 * 1.4826 * median(m_distances), narrowest);
     for(Term& t : m_terms)
       if(t.weight > 0.)
       {
@@ -115,11 +114,7 @@ public:
     for(std::size_t i = 0; i < m_target_points.size(); i += step)
       if(const auto j = m_search.nearest_elsewhere(i); j != Nearest_point_search::none)
         distances.push_back((m_target_points[i] - m_target_points[j]).norm());
-    if(distances.empty())
-      return 0.;
-    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    return *middle;
+    return distances.empty() ? 0. : median(distances);
   }
 
 private:

@@ -7,6 +7,7 @@
 #include <Shape_characteristics/curvature/internal/shape_operator.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/internal/are_on_curve.h>
+#include <Shape_characteristics/internal/median.h>
 #include <Shape_characteristics/internal/passes.h>
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/internal/whole_number.h>
@@ -237,13 +238,6 @@ private:
   {
     const double a = s[0] * p.x + s[1] * p.y - p.a, b = s[1] * p.x + s[2] * p.y - p.b;
     return std::sqrt(a * a + b * b); // std::hypot() would take most of the time of all
-  }
-
-  static double median(std::vector<double>& values)
-  {
-    const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
   }
 
   // the residuals of all pairs

@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_MIRROR_H
 
 #include <Shape_characteristics/head_features/internal/pose_surface.h>
+#include <Shape_characteristics/internal/median.h>
 #include <Shape_characteristics/internal/solve_positive_semidefinite.h>
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
 
@@ -103,9 +104,7 @@ public:
     if(samples.empty() || distances.empty())
       return fit;
     fit.support = double(distances.size()) / double(samples.size());
-    const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-    std::nth_element(distances.begin(), middle, distances.end());
-    fit.deviation = *middle;
+    fit.deviation = median(distances);
     fit.evidence = fit.support * (1. - .5 * fit.deviation / tolerance);
     return fit;
   }

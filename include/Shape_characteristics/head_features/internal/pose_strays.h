@@ -2,6 +2,7 @@
 #define SHAPE_CHARACTERISTICS_HEAD_FEATURES_INTERNAL_POSE_STRAYS_H
 
 #include <Shape_characteristics/head_features/internal/pose_grid.h>
+#include <Shape_characteristics/internal/median.h>
 #include <Shape_characteristics/sampling/Nearest_point_search.h>
 
 #include <Eigen/Core>
@@ -9,18 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace Shape_characteristics {
 namespace internal {
-
-inline double median(std::vector<double> numbers)
-{
-  const auto middle = numbers.begin() + std::ptrdiff_t(numbers.size() / 2);
-  std::nth_element(numbers.begin(), middle, numbers.end());
-  return *middle;
-}
 
 // median distance of (some of) the points to the nearest one elsewhere; 0 if there is none
 inline double spacing_of(const std::vector<Eigen::Vector3d>& points)
@@ -31,7 +24,7 @@ inline double spacing_of(const std::vector<Eigen::Vector3d>& points)
   for(std::size_t i = 0; i < points.size(); i += step)
     if(const auto j = among.nearest_elsewhere(i); j != Nearest_point_search::none)
       nearest.push_back((points[i] - points[j]).norm());
-  return nearest.empty() ? 0. : median(std::move(nearest));
+  return nearest.empty() ? 0. : median(nearest);
 }
 
 // Whether each point belongs to a small piece that is far from all else, as scanners leave them. `points` are finite, `spread` are the

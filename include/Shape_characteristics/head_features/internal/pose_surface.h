@@ -75,10 +75,10 @@ public:
                    all.numbers[i]);
     if(usable.points.size() < few)
       return;
-    leave_out_strays(usable);
+    const std::vector<std::size_t> spread = leave_out_strays(usable);
     if(usable.points.size() < few)
       return;
-    set_frame(usable.points);
+    set_frame(usable.points, spread);
     if(!(m_size > 0.) || !std::isfinite(m_size))
       return;
     for(Eigen::Vector3d& p : usable.points)
@@ -129,21 +129,23 @@ public:
   const Eigen::Vector3d& smooth_normal(const std::size_t i) const { return m_smooth_normals[i]; }
 
 private:
-  static void leave_out_strays(Pose_points& all)
+  // returns the numbers of some of the others, evenly spread
+  static std::vector<std::size_t> leave_out_strays(Pose_points& all)
   {
-    const std::vector<bool> is_stray = find_strays(all.points, evenly_spread(all.points, many));
+    std::vector<std::size_t> spread = evenly_spread(all.points, many);
+    const std::vector<bool> is_stray = find_strays(all.points, spread);
     if(std::find(is_stray.begin(), is_stray.end(), true) == is_stray.end())
-      return;
+      return spread;
     Pose_points kept;
     for(std::size_t i = 0; i < all.points.size(); ++i)
       if(!is_stray[i])
         kept.add(all.points[i], all.normals[i], all.min_curvatures[i], all.max_curvatures[i], all.numbers[i]);
     all = std::move(kept);
+    return evenly_spread(all.points, many);
   }
 
-  void set_frame(const std::vector<Eigen::Vector3d>& points)
+  void set_frame(const std::vector<Eigen::Vector3d>& points, const std::vector<std::size_t>& spread)
   {
-    const std::vector<std::size_t> spread = evenly_spread(points, many);
     // relative to a point of the surface: coordinates may be large
     const Eigen::Vector3d first = points[spread[0]];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -242,6 +242,13 @@ std::size_t desired_neighborhood(const SampledSurface& surface, std::size_t i, b
   return 13 * regular / 10;
 }
 
+// The same for all that is asked of a neighborhood with inexact normals: the nearest ones tell the level of noise.
+template <typename SampledSurface>
+std::size_t seen_neighborhood(const SampledSurface& surface, std::size_t i)
+{
+  return (std::max)(Scaled_neighborhood::nearest, desired_neighborhood(surface, i, false));
+}
+
 // a step of Newton's method from `displacement` towards the zero set, along its normal in space before it was scaled
 inline void
 step_to_zero_set(const Hermite_jet& jet, const Axis_scaling& scaling, Eigen::Vector3d& displacement)

@@ -3,6 +3,7 @@
 
 #include <Shape_characteristics/Estimation_status.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/internal/median.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Batched_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
@@ -111,10 +112,8 @@ private:
       for(std::size_t k = begin; k < m_inner.size(); ++k)
         add_outer(m_inner[k]);
       for(std::size_t k = begin; k < m_inner.size(); ++k)
-        for(const Index j : m_surface.neighbors(
-                m_inner[k],
-                (std::max)(Scaled_neighborhood::nearest, desired_neighborhood(m_surface, m_inner[k], false)),
-                workspace))
+        for(const Index j :
+            m_surface.neighbors(m_inner[k], seen_neighborhood(m_surface, m_inner[k]), workspace))
           add_outer(j);
     }
   }
@@ -221,9 +220,7 @@ private:
     sizes.reserve(heights.size());
     for(const double height : heights)
       sizes.push_back(std::abs(height));
-    const auto median = sizes.begin() + std::ptrdiff_t(sizes.size() / 2);
-    std::nth_element(sizes.begin(), median, sizes.end());
-    const double limit = s_limit * *median;
+    const double limit = s_limit * median(sizes);
     for(double& height : heights)
       height = (std::min)((std::max)(height, -limit), limit);
   }

@@ -78,7 +78,7 @@ public:
   run(const Oriented_points& source, const Oriented_points& target, const Registration_options& options)
   {
     Registration_outcome outcome;
-    if(options.callback && !options.callback(0.))
+    if(is_stopped(options, 0.))
       return failure(outcome, Registration_obstacle::CANCELLED);
     const double unit = scan_scale(source, target);
     const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
@@ -147,7 +147,7 @@ public:
       else if(other.obstacle == Registration_obstacle::CANCELLED)
         outcome.obstacle = Registration_obstacle::CANCELLED;
     }
-    if(outcome.obstacle != Registration_obstacle::CANCELLED && options.callback && !options.callback(1.))
+    if(outcome.obstacle != Registration_obstacle::CANCELLED && is_stopped(options, 1.))
       outcome = failure(outcome, Registration_obstacle::CANCELLED);
     for(Registration_hypothesis& h : outcome.hypotheses)
     {
@@ -248,6 +248,11 @@ private:
     return result;
   }
 
+  static bool is_stopped(const Registration_options& options, double advancement)
+  {
+    return options.callback && !options.callback(advancement);
+  }
+
   static Registration_outcome failure(Registration_outcome outcome, Registration_obstacle obstacle)
   {
     outcome.verdict = Registration_verdict::FAILED;
@@ -309,7 +314,7 @@ private:
           neighbors, uses_mirrored,
           [&](const double advancement)
           {
-            is_cancelled = m_options.callback && !m_options.callback(done + part * advancement);
+            is_cancelled = is_stopped(m_options, done + part * advancement);
             return is_cancelled;
           },
           found, outcome.obstacle);
@@ -321,7 +326,7 @@ private:
     {
       if(found.empty() || !passes(found[0].quality))
         try_frames(found);
-      is_cancelled = m_options.callback && !m_options.callback(part_of_attempts);
+      is_cancelled = is_stopped(m_options, part_of_attempts);
     }
     if(found.empty() && !is_cancelled)
       return outcome;
