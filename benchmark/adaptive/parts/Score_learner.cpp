@@ -50,7 +50,7 @@ float exactness_of(const std::array<float, number_of_statistics>& s)
   return s[std::size_t(Name::EXACT_3_ANGLES)] - s[std::size_t(Name::POINTS_3_ANGLES)];
 }
 
-constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::EXACT_3_RINGS);
+constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_3_RINGS);
 constexpr auto first_checked = std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_2_RINGS);
 
 using Matrix = Eigen::MatrixXd;
@@ -251,7 +251,7 @@ private:
     gradient += (1. + 2. * excess) / error * data.statistics.transpose() * of_scores;
   }
 
-  // mean over the rows of the logarithm of the excess, if EXACT_3_RINGS was chosen there, and else what is best for the row
+  // mean over the rows of the logarithm of the excess, if CHECKED_3_RINGS was chosen there, and else what is best for the row
   double cost_of_gate(double exactness) const
   {
     double sum = 0.;
@@ -398,7 +398,7 @@ std::string to_header(const Scores& scores, bool some_kept)
                       "exactness, are of an "
                       "earlier one without --keep."
                     : "")
-      << "\n\n// where EXACT_3_ANGLES - POINTS_3_ANGLES is less, EXACT_3_RINGS is chosen\n"
+      << "\n\n// where EXACT_3_ANGLES - POINTS_3_ANGLES is less, CHECKED_3_RINGS is chosen\n"
          "inline constexpr double adaptive_exactness = "
       << text(scores.exactness)
       << ";\n\n// Elsewhere the estimators are blended in proportion to exp(-score): a linear function of "

@@ -12,7 +12,7 @@
 namespace adaptive {
 
 /// The constants of adaptive_curvatures(). The estimators are blended in proportion to exp(-score), a constant and a linear
-/// function of some statistics. Before that, where EXACT_3_ANGLES - POINTS_3_ANGLES is below `exactness`, EXACT_3_RINGS is
+/// function of some statistics. Before that, where EXACT_3_ANGLES - POINTS_3_ANGLES is below `exactness`, CHECKED_3_RINGS is
 /// chosen without asking further.
 struct Scores
 {

@@ -103,7 +103,7 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   \return the number of vertices that could not be estimated. Their values are quiet NaN, their status says why.
 
   Complexity: linear in the number of vertices. A quadric takes some microseconds on one processor. Where there is none and normals
-  are exact beyond doubt, two fits are made at a vertex: tens of microseconds. Elsewhere, and some rings around, it is up to
+  are exact beyond doubt, three fits are made at a vertex: tens of microseconds. Elsewhere, and some rings around, it is up to
   nineteen, eight of them over four rings: milliseconds. The results of thirteen of them are kept at the same time, which takes some
   two kilobytes a vertex.
 

@@ -87,10 +87,11 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
       \cgalParamDescription{whether the normals are those of the surface itself, and the points lie on it}
       \cgalParamType{`bool`}
       \cgalParamDefault{`false`}
-      \cgalParamExtra{It is checked: where no smooth surface has these points and normals, because normals of the faces are said
-                      to be exact or the points lie beside the surface, both are trusted less, until they fit. A surface
-                      that bends much between its samples may be doubted, too; a `normal_noise_level` of 0 leaves out the
-                      check. Only with a positive definite basis function.}
+      \cgalParamExtra{It is checked: where no smooth surface has these points and normals, because a file has rounded them, the
+                      points lie beside the surface or normals of the faces are said to be exact, points, normals or both are
+                      trusted less, as long as that makes the data much likelier. A surface that bends much between its samples
+                      may be doubted, too; a `normal_noise_level` of 0 leaves out the check. Only with a positive definite
+                      basis function.}
     \cgalParamNEnd
     \cgalParamNBegin{number_of_rings}
       \cgalParamDescription{the size of the neighborhood, in edges}

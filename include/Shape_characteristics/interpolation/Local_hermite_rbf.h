@@ -6,6 +6,7 @@
 #include <Shape_characteristics/internal/tangent_basis.h>
 #include <Shape_characteristics/interpolation/Exponential_cubic.h>
 #include <Shape_characteristics/interpolation/Shape_parameter_box.h>
+#include <Shape_characteristics/interpolation/internal/Exact_fit_attempts.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_jet.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_system.h>
@@ -74,7 +75,8 @@ public:
   {
     /// whether the normals are those of the surface itself
     bool normals_are_exact = false;
-    /// whether to trust exact normals and their points less where no smooth surface has both (positive definite basis functions)
+    /// whether to trust exact normals, their points or both less where that makes the data much likelier (positive definite basis
+    /// functions)
     bool exactness_is_checked = true;
     /// standard deviation of the points, in units of the root mean square distance of the 9 nearest neighbors (positive
     /// definite basis functions with inexact normals)
@@ -236,8 +238,9 @@ private:
         is_solved = workspace.system.solve_positive_definite(attempts.value_variance(),
                                                              attempts.derivative_variance());
       while(is_solved && m_options.exactness_is_checked &&
-            attempts.next_if_inexact(workspace.system.residual(), workspace.system.mahalanobis_square(),
-                                     neighborhood.points.size()));
+            attempts.next_if_inexact({neighborhood.points.size(), workspace.system.residual(),
+                                      workspace.system.mahalanobis_square(),
+                                      workspace.system.log_likelihood()}));
       if(!is_solved)
         continue;
       jet = workspace.system(Vector::Zero());

@@ -106,11 +106,17 @@ private:
     if(m_statistics.is_cancelled())
       return others;
     const std::vector<double>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
-    const Fitted_field& exact = m_statistics.field(Choice::EXACT_3_RINGS);
+    std::vector<Index> exact_ones;
     for(const Index i : samples)
-      if(is_estimated(exact[i].status) &&
-         normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness))
-        take(exact[i], Choice::EXACT_3_RINGS, i, result);
+      (normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness) ? exact_ones
+                                                                                          : others)
+          .push_back(i);
+    if(exact_ones.empty())
+      return others;
+    const Fitted_field& checked = m_statistics.field(Choice::CHECKED_3_RINGS);
+    for(const Index i : exact_ones)
+      if(is_estimated(checked[i].status))
+        take(checked[i], Choice::CHECKED_3_RINGS, i, result);
       else
         others.push_back(i);
     return others;

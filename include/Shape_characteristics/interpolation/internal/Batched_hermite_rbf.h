@@ -6,6 +6,7 @@
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Exact_fit_attempts.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_functions.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_fit_output.h>
@@ -447,6 +448,9 @@ private:
     Hermite_batch& batch = workspace.m_batch;
     fill_batch(first, last, workspace);
     batch.wants_log_likelihood = false;
+    for(std::size_t lane = 0; first + lane < last; ++lane)
+      batch.wants_log_likelihood =
+          batch.wants_log_likelihood || task_of(lane, first, last, workspace).exact.wants_log_likelihood();
     m_functions.assemble(batch, m_unit_phi);
     m_functions.solve(batch);
 
@@ -551,8 +555,9 @@ private:
        workspace.m_batch.is_positive_definite[lane] == 0.)
       return false;
     Task again = task;
-    if(!again.exact.next_if_inexact(workspace.m_batch.residual[lane],
-                                    workspace.m_batch.mahalanobis_square[lane], task.number_of_points))
+    if(!again.exact.next_if_inexact({task.number_of_points, workspace.m_batch.residual[lane],
+                                     workspace.m_batch.mahalanobis_square[lane],
+                                     workspace.m_batch.log_likelihood[lane]}))
       return false;
     workspace.m_next_tasks.push_back(again);
     return true;

@@ -92,61 +92,6 @@ inline bool contradicts_others(const std::vector<Eigen::Vector3d>& normals)
 }
 
 /*
-  The attempts to fit exact normals: each fits a little less exactly. Where no smooth surface has these points and normals, they
-  aren't exact, whatever was said of them: a function that follows them all the same takes huge weights and bends wildly. Then
-  both are trusted less, until the fit leaves of the data what their noise would.
-*/
-class Exact_fit_attempts
-{
-public:
-  Exact_fit_attempts() = default;
-  explicit Exact_fit_attempts(const Scaled_neighborhood& neighborhood)
-    : m_noise(nugget(neighborhood.rounding_error))
-  {}
-
-  double value_variance() const { return m_noise; }
-  double derivative_variance() const { return m_noise; }
-
-  // whether the function describes a surface at a sample; `derivative`: along its normal
-  static bool is_surface(const Fit_quality& quality, double derivative)
-  {
-    return quality.gradient_length > 0.1 && derivative > 0.5 * quality.gradient_length &&
-           quality.largest_curvature < largest_plausible_curvature;
-  }
-
-  // after an attempt that failed: whether there is another
-  bool next()
-  {
-    m_noise *= 100.;
-    return ++m_failures < s_attempts;
-  }
-
-  // after an attempt with these sums of squares (see Hermite_batch): whether there is another because both are too large for exact
-  // data of any surface
-  bool next_if_inexact(double residual, double mahalanobis_square, std::size_t number_of_points)
-  {
-    const double equations = double(3 * number_of_points);
-    if(!(residual > s_largest_residual * equations &&
-         mahalanobis_square > s_largest_mahalanobis_square * equations) ||
-       m_doubts == s_doubts)
-      return false;
-    m_noise *= 100.;
-    ++m_doubts;
-    return true;
-  }
-
-private:
-  static constexpr int s_attempts = 4, s_doubts = 4;
-  // Of an equation, on average. Exact normals of waves with 6 samples a period reach .1 and 30, mostly .001 and 1; those of faces
-  // 10 and 1000, on fine meshes as well as on coarse ones. Where an exact surface bends more than samples can tell, it mostly keeps
-  // to one of both.
-  static constexpr double s_largest_residual = 0.1, s_largest_mahalanobis_square = 200.;
-
-  double m_noise = 0.;
-  int m_failures = 0, m_doubts = 0;
-};
-
-/*
   The attempts to fit inexact data. The noise of the normals is guessed. Where it was guessed too high, as on a surface that
   bends much between its samples, the function may as well be zero everywhere, and its gradient shrinks: then normals are
   trusted more. Where the points' noise was guessed too low, as at a sharp edge between large flat faces, the surface bends

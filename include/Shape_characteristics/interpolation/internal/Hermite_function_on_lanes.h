@@ -521,15 +521,18 @@ private:
           block[k + 1] = for_j * q[k] + for_i * p[k];
         }
       }
-      if(i >= batch.smallest_count)
-        for(std::size_t k = 0; k < 16 * (i + 1); ++k)
-          entries[k] *= present;
-      const V absent = 1. - present;
       V* const diagonal = entries + 16 * i;
-      diagonal[0] += value_noise + absent;
+      diagonal[0] += value_noise;
       if(i > 0)
         for(std::size_t k = 1; k < 4; ++k)
-          diagonal[5 * k] += derivative_noise + absent;
+          diagonal[5 * k] += derivative_noise;
+      if(i >= batch.smallest_count) // an equation that is absent says that its weight is 0
+      {
+        for(std::size_t k = 0; k < 16 * (i + 1); ++k)
+          entries[k] *= present;
+        for(std::size_t k = 0; k < 4; ++k)
+          diagonal[5 * k] += 1. - present;
+      }
       V a, b, h, gradient[3];
       bent.project(p[0], p[1], p[2], a, b);
       bent.height.value(a, b, h);
@@ -638,17 +641,24 @@ private:
           v_row[column] = vj * wq - vi * wp - s * (v[0] * w[0] + v[1] * w[1] + v[2] * w[2]);
         }
       }
+      V &value_diagonal = value_row[4 * (3 * i + 1)], &u_diagonal = u_row[4 * (3 * i + 2)],
+        &v_diagonal = v_row[4 * (3 * i + 3)];
+      value_diagonal += value_noise;
+      u_diagonal += derivative_noise;
+      v_diagonal += derivative_noise;
       if(i >= batch.smallest_count)
+      {
         for(std::size_t k = 0; k < 3 * i + 4; ++k)
         {
           value_row[4 * k] *= present;
           u_row[4 * k] *= present;
           v_row[4 * k] *= present;
         }
-      const V absent = 1. - present;
-      value_row[4 * (3 * i + 1)] += value_noise + absent;
-      u_row[4 * (3 * i + 2)] += derivative_noise + absent;
-      v_row[4 * (3 * i + 3)] += derivative_noise + absent;
+        const V absent = 1. - present;
+        value_diagonal += absent;
+        u_diagonal += absent;
+        v_diagonal += absent;
+      }
       V a, b, h, gx, gy, gz;
       bent.project(p[0], p[1], p[2], a, b);
       bent.height.value(a, b, h);

@@ -1,0 +1,168 @@
+#ifndef SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_EXACT_FIT_ATTEMPTS_H
+#define SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_EXACT_FIT_ATTEMPTS_H
+
+#include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace Shape_characteristics {
+namespace internal {
+
+// What a solved system (see Hermite_batch) says about its data, which are points and exact normals.
+struct Fit_evidence
+{
+  std::size_t number_of_points = 0;
+  double residual = 0., mahalanobis_square = 0., log_likelihood = 0.;
+
+  double equations() const { return double(3 * number_of_points); }
+
+  // The surface may bend much or little: of all factors that its covariance may have, the one that makes the data likeliest. Up to
+  // a constant.
+  double log_likelihood_of_any_amplitude() const
+  {
+    return log_likelihood + 0.5 * mahalanobis_square -
+           0.5 * equations() * std::log(mahalanobis_square / equations());
+  }
+};
+
+/*
+  The attempts to fit exact normals. Where no smooth surface has these points and normals, they aren't exact, whatever was said of
+  them: files round coordinates to single precision or to six digits, and normals to bytes; points lie beside the surface; normals
+  are those of faces. A function that follows them all the same takes huge weights and bends wildly. Then points, normals or both
+  are trusted less, step by step, as long as that makes the data much likelier.
+*/
+class Exact_fit_attempts
+{
+public:
+  Exact_fit_attempts() = default;
+  explicit Exact_fit_attempts(const Scaled_neighborhood& neighborhood)
+  {
+    m_tried.values = m_tried.derivatives = nugget(neighborhood.rounding_error);
+  }
+
+  double value_variance() const { return m_tried.values; }
+  double derivative_variance() const { return m_tried.derivatives; }
+
+  // whether the function describes a surface at a sample; `derivative`: along its normal
+  static bool is_surface(const Fit_quality& quality, double derivative)
+  {
+    return quality.gradient_length > 0.1 && derivative > 0.5 * quality.gradient_length &&
+           quality.largest_curvature < largest_plausible_curvature;
+  }
+
+  // after an attempt that failed: whether there is another, in which points and normals are trusted alike
+  bool next()
+  {
+    m_tried.values = m_tried.derivatives = s_step * (std::min)(m_tried.values, m_tried.derivatives);
+    return ++m_failures < s_attempts;
+  }
+
+  // whether next_if_inexact() will ask for the likelihood
+  bool wants_log_likelihood() const { return m_stage != Stage::TRUST && m_stage != Stage::VERDICT; }
+
+  // after an attempt: whether there is another, because the data may not be exact
+  bool next_if_inexact(const Fit_evidence& evidence)
+  {
+    switch(m_stage)
+    {
+    case Stage::TRUST:
+      if(!(evidence.residual > s_least_doubtful_residual * evidence.equations()))
+        return false;
+      m_stage = Stage::DOUBT;
+      return true;
+    case Stage::DOUBT:
+      judge(evidence);
+      m_kept = m_likeliest = m_tried;
+      m_stage = Stage::VALUES;
+      break;
+    case Stage::VALUES:
+    case Stage::DERIVATIVES:
+      keep_likeliest(evidence);
+      m_stage = m_stage == Stage::VALUES ? Stage::DERIVATIVES : Stage::BOTH;
+      break;
+    case Stage::BOTH:
+      keep_likeliest(evidence);
+      end_round(s_least_gain * evidence.equations());
+      break;
+    case Stage::VERDICT:
+      return false;
+    }
+    m_tried = m_kept;
+    if(m_stage == Stage::VALUES || m_stage == Stage::BOTH)
+      m_tried.values *= m_factor;
+    if(m_stage == Stage::DERIVATIVES || m_stage == Stage::BOTH)
+      m_tried.derivatives *= m_factor;
+    return true;
+  }
+
+private:
+  // variances, and what a system with them says
+  struct Trust
+  {
+    double values = 0., derivatives = 0.;
+    double log_likelihood = 0.;
+    bool is_absurd = false; // the data, as those of a surface
+  };
+
+  // what an attempt is: the first; the same again, for its likelihood; those of a round: with less trust in points, normals, or both;
+  // the one with what was kept
+  enum class Stage
+  {
+    TRUST,
+    DOUBT,
+    VALUES,
+    DERIVATIVES,
+    BOTH,
+    VERDICT
+  };
+
+  void judge(const Fit_evidence& evidence)
+  {
+    m_tried.log_likelihood = evidence.log_likelihood_of_any_amplitude();
+    m_tried.is_absurd = evidence.residual > s_least_absurd_residual * evidence.equations() &&
+                        evidence.mahalanobis_square > s_least_absurd_square * evidence.equations();
+  }
+
+  void keep_likeliest(const Fit_evidence& evidence)
+  {
+    judge(evidence);
+    if(m_tried.log_likelihood > m_likeliest.log_likelihood)
+      m_likeliest = m_tried;
+  }
+
+  // Goes on with the likeliest of a round. If it hardly gains, and the data remain absurd, they may be so far from exact that it takes
+  // a larger step to see it.
+  void end_round(double least_gain)
+  {
+    const bool is_gain = m_likeliest.log_likelihood > m_kept.log_likelihood + least_gain;
+    if(is_gain)
+      m_kept = m_likeliest;
+    m_factor = is_gain ? s_step : s_step * m_factor;
+    const bool goes_on =
+        (is_gain || (m_kept.is_absurd && m_factor <= s_largest_factor)) && ++m_rounds < s_rounds;
+    m_stage = goes_on ? Stage::VALUES : Stage::VERDICT;
+  }
+
+  static constexpr int s_attempts = 8, s_rounds = 12;
+  static constexpr double s_step = 100., s_largest_factor = 1e8;
+  // Of an equation, on average. Coordinates in single precision leave more of a residual on fine meshes, and so do exact ones of
+  // coarse meshes; but of those, less trust seldom gains as much.
+  static constexpr double s_least_doubtful_residual = 1e-4, s_least_gain = 0.3;
+  // Of an equation, on average. Exact normals of waves with 6 samples a period reach .1 and 30, mostly .001 and 1; those of faces
+  // 10 and 1000, on fine meshes as well as on coarse ones. Where an exact surface bends more than samples can tell, it mostly keeps
+  // to one of both.
+  static constexpr double s_least_absurd_residual = 0.1, s_least_absurd_square = 200.;
+
+  Trust m_tried, m_kept, m_likeliest;
+  double m_factor = s_step;
+  Stage m_stage = Stage::TRUST;
+  int m_failures = 0, m_rounds = 0;
+};
+
+} // namespace internal
+} // namespace Shape_characteristics
+
+#endif // SHAPE_CHARACTERISTICS_INTERPOLATION_INTERNAL_EXACT_FIT_ATTEMPTS_H
