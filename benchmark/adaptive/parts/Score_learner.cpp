@@ -122,15 +122,17 @@ public:
     const double shrinkage = m_kept == nullptr ? 5e-6 : 1e-4;
     const Matrix start = start_weights();
     const auto kept = m_kept == nullptr ? Eigen::Index(0) : Eigen::Index(first_checked);
-    Matrix weights = start, mean = Matrix::Zero(features, candidates), square = mean;
+    const auto learned = candidates - kept;
+    const std::vector<Matrix> known = known_shares(start.leftCols(kept));
+    Matrix weights = start, mean = Matrix::Zero(features, learned), square = mean;
     std::size_t number = 0;
     for(const Data& data : m_data)
       number += data.part != left_out;
     double rate = .1, mean_share = 1., square_share = 1.;
     for(int step = 0; step < steps; ++step)
     {
-      const Matrix gradient =
-          shrinkage * (weights - start) + sum_of_gradients(left_out, weights) / double(number);
+      const Matrix gradient = shrinkage * (weights - start).rightCols(learned) +
+                              sum_of_gradients(left_out, known, weights.rightCols(learned)) / double(number);
       mean = .9 * mean + .1 * gradient;
       square = .99 * square + .01 * gradient.cwiseAbs2();
       mean_share *= .9;
@@ -138,7 +140,7 @@ public:
       const Matrix way = (rate * (mean.array() / (1. - mean_share)) /
                           ((square.array() / (1. - square_share)).sqrt() + 1e-10))
                              .matrix();
-      weights.rightCols(candidates - kept) -= way.rightCols(candidates - kept);
+      weights.rightCols(learned) -= way;
       rate = (std::max)(rate * decay, .01);
     }
     // in units of the statistics themselves
@@ -209,28 +211,39 @@ private:
                             .eval();
   }
 
-  // the sum over the rows, in the same order for any number of threads
-  Matrix sum_of_gradients(std::size_t left_out, const Matrix& weights) const
+  // what is known of the logarithms of the shares: of each row, those of the candidates whose weights are kept
+  std::vector<Matrix> known_shares(const Matrix& weights) const
+  {
+    std::vector<Matrix> result;
+    for(const Data& data : m_data)
+      result.push_back(-data.statistics * weights);
+    return result;
+  }
+
+  // the sum over the rows, in the same order for any number of threads; by the weights of the last candidates
+  Matrix sum_of_gradients(std::size_t left_out, const std::vector<Matrix>& known, const Matrix& weights) const
   {
     constexpr std::size_t number = 16;
     std::vector<std::size_t> chunks(number);
     std::iota(chunks.begin(), chunks.end(), std::size_t(0));
-    std::vector<Matrix> sums(number, Matrix::Zero(features, candidates));
-    CGAL::for_each<CGAL::Parallel_if_available_tag>(chunks,
-                                                    [&](const std::size_t chunk)
-                                                    {
-                                                      for(std::size_t r = chunk; r < m_data.size();
-                                                          r += number)
-                                                        if(m_data[r].part != left_out)
-                                                          add_gradient(m_data[r], weights, sums[chunk]);
-                                                      return true;
-                                                    });
-    return std::accumulate(sums.begin(), sums.end(), Matrix(Matrix::Zero(features, candidates)));
+    std::vector<Matrix> sums(number, Matrix::Zero(weights.rows(), weights.cols()));
+    CGAL::for_each<CGAL::Parallel_if_available_tag>(
+        chunks,
+        [&](const std::size_t chunk)
+        {
+          for(std::size_t r = chunk; r < m_data.size(); r += number)
+            if(m_data[r].part != left_out)
+              add_gradient(m_data[r], known[r], weights, sums[chunk]);
+          return true;
+        });
+    return std::accumulate(sums.begin(), sums.end(), Matrix(Matrix::Zero(weights.rows(), weights.cols())));
   }
 
-  static void add_gradient(const Data& data, const Matrix& weights, Matrix& gradient)
+  static void add_gradient(const Data& data, const Matrix& known, const Matrix& weights, Matrix& gradient)
   {
-    Matrix shares = -data.statistics * weights - data.penalties;
+    Matrix shares = -data.penalties;
+    shares.leftCols(known.cols()) += known;
+    shares.rightCols(weights.cols()) -= data.statistics * weights;
     const Eigen::VectorXd largest = shares.rowwise().maxCoeff();
     shares = (shares.colwise() - largest).array().exp().matrix().eval();
     const Eigen::VectorXd sums = shares.rowwise().sum();
@@ -248,7 +261,8 @@ private:
     // of what the row's error exceeds that of its best candidate by, as a logarithm
     constexpr double borne = .05;
     const double excess = (std::max)(std::log(error / double(shares.rows())) - borne, 0.);
-    gradient += (1. + 2. * excess) / error * data.statistics.transpose() * of_scores;
+    gradient +=
+        (1. + 2. * excess) / error * data.statistics.transpose() * of_scores.rightCols(weights.cols());
   }
 
   // mean over the rows of the logarithm of the excess, if CHECKED_3_RINGS was chosen there, and else what is best for the row
