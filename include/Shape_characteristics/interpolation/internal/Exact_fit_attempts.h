@@ -69,7 +69,7 @@ public:
     switch(m_stage)
     {
     case Stage::TRUST:
-      if(!(evidence.residual > s_least_doubtful_residual * evidence.equations()))
+      if(!is_doubtful(evidence))
         return false;
       m_stage = Stage::DOUBT;
       return true;
@@ -119,11 +119,23 @@ private:
     VERDICT
   };
 
+  static bool is_doubtful(const Fit_evidence& evidence)
+  {
+    const bool is_mostly_noise = evidence.residual > s_least_doubtful_residual * evidence.equations() &&
+                                 evidence.residual > s_least_doubtful_share * evidence.mahalanobis_square;
+    return is_mostly_noise || is_absurd(evidence);
+  }
+
+  static bool is_absurd(const Fit_evidence& evidence)
+  {
+    return evidence.residual > s_least_absurd_residual * evidence.equations() &&
+           evidence.mahalanobis_square > s_least_absurd_square * evidence.equations();
+  }
+
   void judge(const Fit_evidence& evidence)
   {
     m_tried.log_likelihood = evidence.log_likelihood_of_any_amplitude();
-    m_tried.is_absurd = evidence.residual > s_least_absurd_residual * evidence.equations() &&
-                        evidence.mahalanobis_square > s_least_absurd_square * evidence.equations();
+    m_tried.is_absurd = is_absurd(evidence);
   }
 
   void keep_likeliest(const Fit_evidence& evidence)
@@ -148,9 +160,9 @@ private:
 
   static constexpr int s_attempts = 8, s_rounds = 12;
   static constexpr double s_step = 100., s_largest_factor = 1e8;
-  // Of an equation, on average. Coordinates in single precision leave more of a residual on fine meshes, and so do exact ones of
-  // coarse meshes; but of those, less trust seldom gains as much.
-  static constexpr double s_least_doubtful_residual = 1e-4, s_least_gain = 0.3;
+  // Of an equation, on average, and of the Mahalanobis square. Coordinates in single precision leave more on fine meshes, a tenth of
+  // the square and more. Exact data of coarse meshes mostly leave some thousandths of it: less trust would seldom gain as much.
+  static constexpr double s_least_doubtful_residual = 1e-4, s_least_doubtful_share = 0.02, s_least_gain = 0.3;
   // Of an equation, on average. Exact normals of waves with 6 samples a period reach .1 and 30, mostly .001 and 1; those of faces
   // 10 and 1000, on fine meshes as well as on coarse ones. Where an exact surface bends more than samples can tell, it mostly keeps
   // to one of both.
