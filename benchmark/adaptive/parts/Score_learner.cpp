@@ -50,7 +50,8 @@ float exactness_of(const std::array<float, number_of_statistics>& s)
   return s[std::size_t(Name::EXACT_3_ANGLES)] - s[std::size_t(Name::POINTS_3_ANGLES)];
 }
 
-constexpr auto exact = std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_3_RINGS);
+constexpr auto of_exact_normals =
+    std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_3_RINGS);
 constexpr auto first_checked = std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_2_RINGS);
 
 using Matrix = Eigen::MatrixXd;
@@ -274,7 +275,7 @@ private:
       double error = 0.;
       for(const Vertex_record& v : row.vertices)
         error += double(exactness_of(v.statistics)) < exactness
-                     ? (std::max)((std::min)(v.errors[exact].sum() / row.best_error, 100.), 1.)
+                     ? (std::max)((std::min)(v.errors[of_exact_normals].sum() / row.best_error, 100.), 1.)
                      : 1.;
       sum += std::log(error / double(row.vertices.size()));
     }
@@ -318,7 +319,7 @@ Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
   if(Shape_characteristics::internal::normals_are_exact(s[std::size_t(Name::EXACT_3_ANGLES)],
                                                         s[std::size_t(Name::POINTS_3_ANGLES)],
                                                         s[std::size_t(Name::NOISE)], scores.exactness))
-    return vertex.errors[exact];
+    return vertex.errors[of_exact_normals];
   std::array<double, number_of_candidates> score = scores.weights[0];
   for(std::size_t k = 0; k < scores.statistics.size(); ++k)
     for(std::size_t c = 0; c < number_of_candidates; ++c)

@@ -106,16 +106,10 @@ private:
     if(m_statistics.is_cancelled())
       return others;
     const std::vector<double>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
-    std::vector<Index> exact_ones;
-    for(const Index i : samples)
-      (normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness) ? exact_ones
-                                                                                          : others)
-          .push_back(i);
-    if(exact_ones.empty())
-      return others;
     const Fitted_field& checked = m_statistics.field(Choice::CHECKED_3_RINGS);
-    for(const Index i : exact_ones)
-      if(is_estimated(checked[i].status))
+    for(const Index i : samples)
+      if(is_estimated(checked[i].status) &&
+         normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness))
         take(checked[i], Choice::CHECKED_3_RINGS, i, result);
       else
         others.push_back(i);

@@ -441,16 +441,13 @@ private:
     batch.set(batch.derivative_noise, 0, lane,
               is_exact ? task.exact.derivative_variance() : task.noisy.derivative_variance());
     batch.set(batch.bends, 0, lane, task.noisy.bends_trend() ? 1. : 0.);
+    batch.wants_log_likelihood = batch.wants_log_likelihood || task.exact.wants_log_likelihood();
   }
 
   void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const
   {
     Hermite_batch& batch = workspace.m_batch;
     fill_batch(first, last, workspace);
-    batch.wants_log_likelihood = false;
-    for(std::size_t lane = 0; first + lane < last; ++lane)
-      batch.wants_log_likelihood =
-          batch.wants_log_likelihood || task_of(lane, first, last, workspace).exact.wants_log_likelihood();
     m_functions.assemble(batch, m_unit_phi);
     m_functions.solve(batch);
 

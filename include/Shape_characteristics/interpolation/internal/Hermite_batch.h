@@ -99,6 +99,7 @@ public:
     exact_polynomial = jets_at_centers + 8 * max_centers * lanes;
     smallest_count = max_centers;
     is_any_scaled = false;
+    wants_log_likelihood = false;
   }
 
   std::size_t lanes() const { return m_lanes; }
