@@ -85,7 +85,7 @@ public:
       break;
     case Stage::BOTH:
       keep_likeliest(evidence);
-      end_round(s_least_gain * evidence.equations());
+      end_round(evidence);
       break;
     case Stage::VERDICT:
       return false;
@@ -104,7 +104,7 @@ private:
   {
     double values = 0., derivatives = 0.;
     double log_likelihood = 0.;
-    bool is_absurd = false; // the data, as those of a surface
+    bool is_unlikely = false; // that the data are those of a surface
   };
 
   // what an attempt is: the first; the same again, for its likelihood; those of a round: with less trust in points, normals, or both;
@@ -123,19 +123,19 @@ private:
   {
     const bool is_mostly_noise = evidence.residual > s_least_doubtful_residual * evidence.equations() &&
                                  evidence.residual > s_least_doubtful_share * evidence.mahalanobis_square;
-    return is_mostly_noise || is_absurd(evidence);
+    return is_mostly_noise || is_unlikely(evidence, s_least_absurd_square);
   }
 
-  static bool is_absurd(const Fit_evidence& evidence)
+  static bool is_unlikely(const Fit_evidence& evidence, double least_square)
   {
-    return evidence.residual > s_least_absurd_residual * evidence.equations() &&
-           evidence.mahalanobis_square > s_least_absurd_square * evidence.equations();
+    return evidence.residual > s_least_unlikely_residual * evidence.equations() &&
+           evidence.mahalanobis_square > least_square * evidence.equations();
   }
 
   void judge(const Fit_evidence& evidence)
   {
     m_tried.log_likelihood = evidence.log_likelihood_of_any_amplitude();
-    m_tried.is_absurd = is_absurd(evidence);
+    m_tried.is_unlikely = is_unlikely(evidence, s_least_unlikely_square);
   }
 
   void keep_likeliest(const Fit_evidence& evidence)
@@ -145,28 +145,32 @@ private:
       m_likeliest = m_tried;
   }
 
-  // Goes on with the likeliest of a round. If it hardly gains, and the data remain absurd, they may be so far from exact that it takes
-  // a larger step to see it.
-  void end_round(double least_gain)
+  // Goes on with the likeliest of a round. If it hardly gains, and the data remain unlikely, they may be so far from exact that it takes
+  // a larger step to see it, which has to gain more.
+  void end_round(const Fit_evidence& evidence)
   {
+    const double least_gain = s_least_gain * evidence.equations() * std::log(m_factor) / std::log(s_step);
     const bool is_gain = m_likeliest.log_likelihood > m_kept.log_likelihood + least_gain;
     if(is_gain)
       m_kept = m_likeliest;
     m_factor = is_gain ? s_step : s_step * m_factor;
     const bool goes_on =
-        (is_gain || (m_kept.is_absurd && m_factor <= s_largest_factor)) && ++m_rounds < s_rounds;
+        (is_gain || (m_kept.is_unlikely && m_factor <= s_largest_factor)) && ++m_rounds < s_rounds;
     m_stage = goes_on ? Stage::VALUES : Stage::VERDICT;
   }
 
   static constexpr int s_attempts = 8, s_rounds = 12;
   static constexpr double s_step = 100., s_largest_factor = 1e8;
   // Of an equation, on average, and of the Mahalanobis square. Coordinates in single precision leave more on fine meshes, a tenth of
-  // the square and more. Exact data of coarse meshes mostly leave some thousandths of it: less trust would seldom gain as much.
+  // the square and more. Exact data of coarse meshes mostly leave some thousandths of it: less trust would seldom gain as much. What a
+  // step has to gain is of an equation, too.
   static constexpr double s_least_doubtful_residual = 1e-4, s_least_doubtful_share = 0.02, s_least_gain = 0.3;
   // Of an equation, on average. Exact normals of waves with 6 samples a period reach .1 and 30, mostly .001 and 1; those of faces
   // 10 and 1000, on fine meshes as well as on coarse ones. Where an exact surface bends more than samples can tell, it mostly keeps
   // to one of both.
-  static constexpr double s_least_absurd_residual = 0.1, s_least_absurd_square = 200.;
+  static constexpr double s_least_unlikely_residual = 0.1, s_least_absurd_square = 200.;
+  // The same, of data that are doubted already: of those of a surface, one.
+  static constexpr double s_least_unlikely_square = 5.;
 
   Trust m_tried, m_kept, m_likeliest;
   double m_factor = s_step;
