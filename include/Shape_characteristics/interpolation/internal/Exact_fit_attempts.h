@@ -169,7 +169,7 @@ private:
   // 10 and 1000, on fine meshes as well as on coarse ones. Where an exact surface bends more than samples can tell, it mostly keeps
   // to one of both.
   static constexpr double s_least_unlikely_residual = 0.1, s_least_absurd_square = 200.;
-  // The same, of data that are doubted already: of those of a surface, one.
+  // The same, of data that are doubted already. Those of a surface have one on average.
   static constexpr double s_least_unlikely_square = 5.;
 
   Trust m_tried, m_kept, m_likeliest;
