@@ -4,6 +4,9 @@
 #include "estimator_checks.h"
 #include "raise_to.h"
 
+#include "../../benchmark/support/exact_curvature.h"
+#include "../../benchmark/support/marching_cubes.h"
+
 #include <Shape_characteristics/curvature/adaptive_curvatures.h>
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/internal/Adaptive_estimator.h>
@@ -300,6 +303,52 @@ BOOST_AUTO_TEST_CASE(few_samples_to_each_bend)
                                 << ", checked "
                                 << a.share({Choice::CHECKED_2_RINGS, Choice::CHECKED_3_RINGS}));
     BOOST_TEST(a.error < 1.2 * best);
+  }
+}
+
+// Where a surface bends little, normals of the faces that marching cubes interpolate linearly agree with the points as well as exact
+// ones do, and aren't.
+BOOST_AUTO_TEST_CASE(gentle_surface_of_marching_cubes)
+{
+  using benchmark_support::Vector;
+  for(const double height : {.003, .01})
+  {
+    // a plane with waves
+    const auto value = [&](const Vector& p)
+    {
+      return .36 * p.x - .48 * p.y + .8 * p.z +
+             height * (std::sin(p.x - .6 * p.y + .3) + std::cos(.8 * p.y + .5 * p.z));
+    };
+    const auto truth = [&](const Vector& p)
+    {
+      const double sine = height * std::sin(p.x - .6 * p.y + .3),
+                   cosine = height * std::cos(p.x - .6 * p.y + .3),
+                   second_sine = height * std::sin(.8 * p.y + .5 * p.z),
+                   second_cosine = height * std::cos(.8 * p.y + .5 * p.z);
+      return benchmark_support::exact_curvature(
+          {.36 + cosine, -.48 - .6 * cosine - .8 * second_sine, .8 - .5 * second_sine},
+          {Vector{-sine, .6 * sine, 0.},
+           Vector{.6 * sine, -.36 * sine - .64 * second_cosine, -.4 * second_cosine},
+           Vector{0., -.4 * second_cosine, -.25 * second_cosine}});
+    };
+    const benchmark_support::Triangle_arrays triangles = benchmark_support::marching_cubes(
+        value, {-1., -1., -1.}, {1., 1., 1.}, 24, benchmark_support::Edge_crossing::LINEAR);
+    Analytic_surface s;
+    s.name = "plane with waves";
+    s.points = triangles.points;
+    s.triangles = triangles.triangles;
+    for(const Vector& p : s.points)
+    {
+      s.exact.emplace_back();
+      static_cast<benchmark_support::Exact_curvature&>(s.exact.back()) = truth(p);
+    }
+    const Data data(s, Given::ESTIMATED, 0.);
+    const Answer a = adaptive(data);
+    const double of_hrbf = hrbf(data, false, 3);
+    BOOST_TEST_MESSAGE("height " << height << ": mean error " << a.error << ", of HRBF " << of_hrbf
+                                 << ", taken for exact " << a.share(exact));
+    BOOST_TEST(a.share(exact) < .2);
+    BOOST_TEST(a.error < of_hrbf / 5.);
   }
 }
 

@@ -50,6 +50,14 @@ float exactness_of(const std::array<float, number_of_statistics>& s)
   return s[std::size_t(Name::EXACT_3_ANGLES)] - s[std::size_t(Name::POINTS_3_ANGLES)];
 }
 
+// of the fit that takes the share of a candidate
+const Vertex_record::Error& error_of_share(const Vertex_record& vertex, std::size_t candidate)
+{
+  const auto heir = std::size_t(Shape_characteristics::internal::adaptive_heir(
+      Shape_characteristics::Adaptive_estimator_choice(candidate)));
+  return vertex.errors[std::isfinite(vertex.errors[heir].k_max) ? heir : candidate];
+}
+
 constexpr auto of_exact_normals =
     std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_3_RINGS);
 constexpr auto first_checked = std::size_t(Shape_characteristics::Adaptive_estimator_choice::CHECKED_2_RINGS);
@@ -94,8 +102,8 @@ public:
           data.statistics(v, Eigen::Index(s + 1)) = double(vertex.statistics[s]);
         for(std::size_t c = 0; c < number_of_candidates; ++c)
         {
-          data.k_max(v, Eigen::Index(c)) = bounded(vertex.errors[c].k_max);
-          data.k_min(v, Eigen::Index(c)) = bounded(vertex.errors[c].k_min);
+          data.k_max(v, Eigen::Index(c)) = bounded(error_of_share(vertex, c).k_max);
+          data.k_min(v, Eigen::Index(c)) = bounded(error_of_share(vertex, c).k_min);
           data.penalties(v, Eigen::Index(c)) = std::isfinite(vertex.errors[c].k_max) ? 0. : 1e3;
         }
       }
@@ -314,11 +322,9 @@ Calibration_row calibration_row(const Row& row, std::size_t at_most)
 
 Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
 {
-  using Name = Shape_characteristics::internal::Adaptive_statistic;
-  const std::array<float, number_of_statistics>& s = vertex.statistics;
-  if(Shape_characteristics::internal::normals_are_exact(s[std::size_t(Name::EXACT_3_ANGLES)],
-                                                        s[std::size_t(Name::POINTS_3_ANGLES)],
-                                                        s[std::size_t(Name::NOISE)], scores.exactness))
+  const auto statistic = [&](const Shape_characteristics::internal::Adaptive_statistic name)
+  { return double(vertex.statistics[std::size_t(name)]); };
+  if(Shape_characteristics::internal::normals_are_exact(statistic, scores.exactness))
     return vertex.errors[of_exact_normals];
   std::array<double, number_of_candidates> score = scores.weights[0];
   for(std::size_t k = 0; k < scores.statistics.size(); ++k)
@@ -334,8 +340,8 @@ Vertex_record::Error blend(const Scores& scores, const Vertex_record& vertex)
     {
       const double share = Shape_characteristics::internal::adaptive_share(score[c] - least);
       sum += share;
-      k_max += share * double(vertex.errors[c].k_max);
-      k_min += share * double(vertex.errors[c].k_min);
+      k_max += share * double(error_of_share(vertex, c).k_max);
+      k_min += share * double(error_of_share(vertex, c).k_min);
     }
   return {float(k_max / sum), float(k_min / sum)};
 }

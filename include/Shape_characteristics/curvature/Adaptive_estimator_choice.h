@@ -22,7 +22,8 @@ enum class Adaptive_estimator_choice : unsigned char
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
   BARELY_SMOOTHED_4_RINGS, ///< points have a hundredth of the noise, and are not smoothed before the fit; four rings
-  CHECKED_2_RINGS, ///< as `hrbf_curvatures()` where `normals_are_exact`: they are, as far as they agree with the points; two rings
+  CHECKED_2_RINGS, ///< as `hrbf_curvatures()` where `normals_are_exact`: they are, as far as they agree with the points; two rings,
+                   ///< chosen where three have no fit
   CHECKED_3_RINGS, ///< as `CHECKED_2_RINGS`, with three rings
   QUADRIC,         ///< the sample and its neighbors (two rings, or 18) lie on a quadric, to eight digits
   NONE             ///< there is no estimate

@@ -101,15 +101,15 @@ private:
   std::vector<Index> take_exact_ones(const std::vector<Index>& samples, Adaptive_estimates& result)
   {
     std::vector<Index> others;
-    const std::vector<double>& exact_angles = m_statistics.statistic(Adaptive_statistic::EXACT_3_ANGLES);
-    const std::vector<double>& points_angles = m_statistics.statistic(Adaptive_statistic::POINTS_3_ANGLES);
+    for(const Choice choice : {Choice::EXACT_3_RINGS, Choice::POINTS_3_RINGS})
+      m_statistics.field(choice);
+    const Fitted_field& checked = m_statistics.field(Choice::CHECKED_3_RINGS);
     if(m_statistics.is_cancelled())
       return others;
-    const std::vector<double>& noise = m_statistics.statistic(Adaptive_statistic::NOISE);
-    const Fitted_field& checked = m_statistics.field(Choice::CHECKED_3_RINGS);
     for(const Index i : samples)
       if(is_estimated(checked[i].status) &&
-         normals_are_exact(exact_angles[i], points_angles[i], noise[i], adaptive_exactness))
+         normals_are_exact([&](const Adaptive_statistic name) { return m_statistics.statistic(name)[i]; },
+                           adaptive_exactness))
         take(checked[i], Choice::CHECKED_3_RINGS, i, result);
       else
         others.push_back(i);
@@ -146,19 +146,24 @@ private:
       if(scores[c] < scores[best])
         best = c;
     }
-    Fitted_sample mean = (*fields[best])[i];
+    const auto heir = [&](const std::size_t c)
+    {
+      const auto h = std::size_t(adaptive_heir(Choice(c)));
+      return is_estimated((*fields[h])[i].status) ? h : c;
+    };
+    Fitted_sample mean = (*fields[heir(best)])[i];
     if(is_estimated(mean.status))
     {
       double sum = 1.;
       for(std::size_t c = 0; c < scores.size(); ++c)
         if(const double share = adaptive_share(scores[c] - scores[best]); c != best && share > 0.)
         {
-          mean.add((*fields[c])[i], share);
+          mean.add((*fields[heir(c)])[i], share);
           sum += share;
         }
       mean.divide(sum);
     }
-    take(mean, is_estimated(mean.status) ? Choice(best) : Choice::NONE, i, result);
+    take(mean, is_estimated(mean.status) ? Choice(heir(best)) : Choice::NONE, i, result);
   }
 
   static void take(const Fitted_sample& fit, Choice choice, std::size_t i, Adaptive_estimates& result)

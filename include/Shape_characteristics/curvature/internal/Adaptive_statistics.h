@@ -36,17 +36,12 @@ inline double adaptive_share(double distance)
   return (std::max)((std::exp(-distance) - least) / (1. - least), 0.);
 }
 
-// Whether normals are exact beyond doubt: a fit to points and given normals agrees with them much better than one that hardly looks at
-// normals (`exactness` is learned), or as well, and as only exact ones do. By decimal logarithms of the angles by which they are
-// off, and of the noise level. Normals of the faces are off by more than the second difference. Where the level isn't the least one,
-// the smaller one of the angles keeps all noise out but that of single precision.
-inline bool normals_are_exact(double exact_angle, double points_angle, double noise, double exactness)
+// Whose fit takes the share of an estimator in a blend, if it has one. Since exactness is checked, three rings are hardly ever worse than
+// two, and mostly better.
+inline constexpr Adaptive_estimator_choice adaptive_heir(Adaptive_estimator_choice choice)
 {
-  constexpr double no_noise = -5.9, largest_angle = -4.5, largest_angle_without_noise = -3.,
-                   largest_difference = .3;
-  const double difference = exact_angle - points_angle;
-  const double bound = noise < no_noise ? largest_angle_without_noise : largest_angle;
-  return difference < exactness || (exact_angle < bound && difference < largest_difference);
+  return choice == Adaptive_estimator_choice::CHECKED_2_RINGS ? Adaptive_estimator_choice::CHECKED_3_RINGS
+                                                              : choice;
 }
 
 /*
@@ -131,6 +126,28 @@ enum class Adaptive_statistic : unsigned char
 };
 
 inline constexpr std::size_t number_of_adaptive_statistics = std::size_t(Adaptive_statistic::COUNT);
+
+// Whether normals are exact beyond doubt: a fit to points and given normals agrees with them much better than one that hardly looks at
+// normals (`exactness` is learned), or as well, and as only exact ones do. `statistic(name)` is one of the sample. Where the noise level
+// isn't the least one, the smaller one of the angles keeps all noise out but that of single precision. Where a surface bends little,
+// points and normals of the faces of marching cubes agree as well: but then either normals agree less with curvatures, or to
+// check whether they are exact changes these as much as not to look at normals.
+template <typename Statistic>
+bool normals_are_exact(const Statistic& statistic, double exactness)
+{
+  using Name = Adaptive_statistic;
+  constexpr double no_noise = -5.9, no_change = -5.5, largest_angle = -4.5, largest_angle_without_noise = -3.,
+                   margin = .12;
+  const double angle = statistic(Name::EXACT_3_ANGLES), difference = angle - statistic(Name::POINTS_3_ANGLES);
+  if(difference < exactness)
+    return true;
+  const double bound = statistic(Name::NOISE) < no_noise ? largest_angle_without_noise : largest_angle;
+  if(!(angle < bound && difference < margin &&
+       statistic(Name::EXACT_3_TURNS) - statistic(Name::POINTS_3_TURNS) < margin))
+    return false;
+  const double change = statistic(Name::EXACT_3_CHECKED_3);
+  return change < no_change || change - statistic(Name::EXACT_3_POINTS_3) < -margin;
+}
 
 // Fits of all kinds to a surface and what they tell of each other, each computed when it is first asked for.
 template <typename ConcurrencyTag, typename SampledSurface>

@@ -91,10 +91,11 @@ public:
       return false;
     }
     m_tried = m_kept;
+    const double factor = std::pow(s_step, m_hundredfolds);
     if(m_stage == Stage::VALUES || m_stage == Stage::BOTH)
-      m_tried.values *= m_factor;
+      m_tried.values *= factor;
     if(m_stage == Stage::DERIVATIVES || m_stage == Stage::BOTH)
-      m_tried.derivatives *= m_factor;
+      m_tried.derivatives *= factor;
     return true;
   }
 
@@ -149,18 +150,18 @@ private:
   // a larger step to see it, which has to gain more.
   void end_round(const Fit_evidence& evidence)
   {
-    const double least_gain = s_least_gain * evidence.equations() * std::log(m_factor) / std::log(s_step);
+    const double least_gain = s_least_gain * evidence.equations() * m_hundredfolds;
     const bool is_gain = m_likeliest.log_likelihood > m_kept.log_likelihood + least_gain;
     if(is_gain)
       m_kept = m_likeliest;
-    m_factor = is_gain ? s_step : s_step * m_factor;
+    m_hundredfolds = is_gain ? 1 : m_hundredfolds + 1;
     const bool goes_on =
-        (is_gain || (m_kept.is_unlikely && m_factor <= s_largest_factor)) && ++m_rounds < s_rounds;
+        (is_gain || (m_kept.is_unlikely && m_hundredfolds <= s_most_hundredfolds)) && ++m_rounds < s_rounds;
     m_stage = goes_on ? Stage::VALUES : Stage::VERDICT;
   }
 
-  static constexpr int s_attempts = 8, s_rounds = 12;
-  static constexpr double s_step = 100., s_largest_factor = 1e8;
+  static constexpr int s_attempts = 8, s_rounds = 12, s_most_hundredfolds = 4;
+  static constexpr double s_step = 100.;
   // Of an equation, on average, and of the Mahalanobis square. Coordinates in single precision leave more on fine meshes, a tenth of
   // the square and more. Exact data of coarse meshes mostly leave some thousandths of it: less trust would seldom gain as much. What a
   // step has to gain is of an equation, too.
@@ -173,9 +174,9 @@ private:
   static constexpr double s_least_unlikely_square = 5.;
 
   Trust m_tried, m_kept, m_likeliest;
-  double m_factor = s_step;
   Stage m_stage = Stage::TRUST;
   int m_failures = 0, m_rounds = 0;
+  int m_hundredfolds = 1; // less trust than in what was kept, in an attempt
 };
 
 } // namespace internal
