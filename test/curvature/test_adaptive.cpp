@@ -303,6 +303,7 @@ BOOST_AUTO_TEST_CASE(few_samples_to_each_bend)
                                 << ", checked "
                                 << a.share({Choice::CHECKED_2_RINGS, Choice::CHECKED_3_RINGS}));
     BOOST_TEST(a.error < 1.2 * best);
+    BOOST_TEST(a.share({Choice::CHECKED_2_RINGS}) == 0.); // three rings are better
   }
 }
 

@@ -128,10 +128,10 @@ enum class Adaptive_statistic : unsigned char
 inline constexpr std::size_t number_of_adaptive_statistics = std::size_t(Adaptive_statistic::COUNT);
 
 // Whether normals are exact beyond doubt: a fit to points and given normals agrees with them much better than one that hardly looks at
-// normals (`exactness` is learned), or as well, and as only exact ones do. `statistic(name)` is one of the sample. Where the noise level
-// isn't the least one, the smaller one of the angles keeps all noise out but that of single precision. Where a surface bends little,
-// points and normals of the faces of marching cubes agree as well: but then either normals agree less with curvatures, or to
-// check whether they are exact changes these as much as not to look at normals.
+// normals (`exactness` is learned), or as well, and as only exact ones do. `statistic(name)` is one of the sample: all are decimal
+// logarithms. Where the noise level isn't the least one, the smaller one of the angles keeps all noise out but that of single precision.
+// Where a surface bends little, points and normals of the faces of marching cubes agree as well: but then either normals agree less
+// with curvatures, or to check whether they are exact changes curvatures as much as not to look at them.
 template <typename Statistic>
 bool normals_are_exact(const Statistic& statistic, double exactness)
 {
