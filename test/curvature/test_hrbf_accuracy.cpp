@@ -672,12 +672,28 @@ BOOST_AUTO_TEST_CASE(coarse_surfaces)
   const auto& f = benchmark_support::explicit_function("f2e");
   for(const Analytic_surface& s :
       {analytic_surface(f, benchmark_support::random_tessellation(f, 3500, 1), "f2e, random points"),
-       analytic_surface(f, benchmark_support::grid_tessellation(f, 71), "f2e, grid")})
+       analytic_surface(f, benchmark_support::grid_tessellation(f, 71), "f2e, grid"),
+       test_support::torus(1., .3, 16, 16), test_support::torus(1., .3, 24, 16, .2, 3),
+       test_support::waves(.05, 16., 1., 36, .2, 5)})
   {
     const double error = errors(s, run(by_default, s, Normals::ESTIMATED), 1.).mean;
     const double error_of_unaware = errors(s, run(unaware, s, Normals::ESTIMATED), 1.).mean;
     BOOST_TEST_MESSAGE(s.name << ": mean error " << error << ", unaware " << error_of_unaware);
     BOOST_TEST(error < 1.1 * error_of_unaware);
+  }
+}
+
+// and yet little noise is seen there
+BOOST_AUTO_TEST_CASE(noise_of_coarse_surfaces)
+{
+  for(const Analytic_surface& s : {test_support::with_noise(test_support::torus(1., .3, 24, 16), .01),
+                                   test_support::with_noise(test_support::torus(1., .4, 30, 12, .2, 3), .01),
+                                   test_support::with_noise(test_support::ellipsoid(1., .8, .6, 2), .02)})
+  {
+    const double error = errors(s, run(by_default, s, Normals::ESTIMATED), 0.).mean;
+    const double error_of_unaware = errors(s, run(unaware, s, Normals::ESTIMATED), 0.).mean;
+    BOOST_TEST_MESSAGE(s.name << ": mean error " << error << ", unaware " << error_of_unaware);
+    BOOST_TEST(error < .6 * error_of_unaware);
   }
 }
 

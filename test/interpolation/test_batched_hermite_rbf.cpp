@@ -559,23 +559,37 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
   using Plain = SC::Local_hermite_rbf<Face_graph_samples, SC::Matern_9_2>;
   using Batched = internal::Batched_hermite_rbf<Face_graph_samples, SC::Matern_9_2>;
   const Batched batched(samples, SC::Matern_9_2(), Batched::Options());
-  const Plain plain(samples, SC::Matern_9_2(), Plain::Options());
   Plain::Workspace workspace;
-  for(const std::size_t neighbors : {9, 18, 36}) // of rings that grow
-  {
-    const auto result = batched.log_likelihoods(probes, levels, neighbors);
-    for(std::size_t k = 0; k < probes.size(); ++k)
-      for(std::size_t e = 0; e + 1 < levels.size(); ++e)
+  for(const std::vector<double>& shape_factors : {std::vector<double>{1.}, std::vector<double>{1., 2., 4.}})
+    for(const std::size_t neighbors : {9, 18, 36}) // of rings that grow
+    {
+      const auto expected_of = [&](const std::size_t probe, const double level)
       {
-        const double expected = plain.log_likelihood(probes[k], levels[e], neighbors, workspace) -
-                                plain.log_likelihood(probes[k], levels.back(), neighbors, workspace);
-        const double found = result[k * levels.size() + e] - result[(k + 1) * levels.size() - 1];
-        // many neighbors and little noise magnify rounding
-        const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : 1e-6;
-        BOOST_TEST(std::abs(found - expected) < tolerance * (1. + std::abs(expected)));
-      }
-    BOOST_TEST(workspace.neighborhood.points.size() == neighbors + 1);
-  }
+        std::vector<double> of_shape;
+        for(const double factor : shape_factors)
+        {
+          const Plain plain(
+              samples, SC::Matern_9_2().with_shape_parameter(factor * internal::shape_parameter_of_noisy_fit),
+              Plain::Options());
+          of_shape.push_back(plain.log_likelihood(probe, level, neighbors, workspace));
+        }
+        double sum = 0.;
+        for(const double l : of_shape)
+          sum += std::exp(l - of_shape[0]);
+        return of_shape[0] + std::log(sum);
+      };
+      const auto result = batched.log_likelihoods(probes, levels, neighbors, shape_factors);
+      for(std::size_t k = 0; k < probes.size(); ++k)
+        for(std::size_t e = 0; e + 1 < levels.size(); ++e)
+        {
+          const double expected = expected_of(probes[k], levels[e]) - expected_of(probes[k], levels.back());
+          const double found = result[k * levels.size() + e] - result[(k + 1) * levels.size() - 1];
+          // many neighbors and little noise magnify rounding
+          const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : 1e-6;
+          BOOST_TEST(std::abs(found - expected) < tolerance * (1. + std::abs(expected)));
+        }
+      BOOST_TEST(workspace.neighborhood.points.size() == neighbors + 1);
+    }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

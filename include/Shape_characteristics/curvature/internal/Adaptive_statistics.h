@@ -9,6 +9,9 @@
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
+#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
+#include <Shape_characteristics/interpolation/internal/Noise_probes.h>
+#include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
 #include <Eigen/Core>
@@ -189,10 +192,11 @@ public:
       m_callback(1.);
   }
 
+  // Where a surface bends much, bends count as noise, too: the scores were learned so.
   double noise_level()
   {
     if(m_noise_level < 0.)
-      m_noise_level = Noise_probes<SampledSurface>(m_surface).level(Matern_9_2());
+      m_noise_level = Noise_probes<SampledSurface>(m_surface, true).level(Matern_9_2());
     return m_noise_level;
   }
 
@@ -253,7 +257,7 @@ public:
         field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
         break;
       case Choice::SMOOTHED_3_RINGS:
-        field = fit(3, parameters::radial_basis_function(Matern_9_2())); // as hrbf_curvatures() would
+        field = fit_smoothed(3);
         break;
       case Choice::SMOOTHED_4_RINGS:
         field = fit_inexact(4, (std::max)(noise_level(), least_smoothed_level), default_normal_noise(),
@@ -334,6 +338,22 @@ private:
                           .normal_noise_level(normal_noise)
                           .number_of_passes(passes)
                           .radial_basis_function(Matern_9_2()));
+  }
+
+  // as hrbf_curvatures() would if it found that noise level
+  Fitted_field fit_smoothed(unsigned int rings)
+  {
+    if(m_is_cancelled)
+      return Fitted_field(m_size);
+    using Trial = Smoothing_trial<ConcurrencyTag, SampledSurface, Matern_9_2>;
+    SampledSurface surface = m_make_surface(rings);
+    typename Trial::Options options;
+    options.fits_are_shared = m_fits_are_shared && m_size == surface.size();
+    options.noise_level = Noise_probes<SampledSurface>(surface, true).level(Matern_9_2());
+    if(options.noise_level < Noisy_fit_attempts::negligible)
+      return fit_inexact(rings, options.noise_level, default_normal_noise(), 1);
+    options.noise_level *= Trial(surface, m_size, Matern_9_2(), options).part();
+    return fit_inexact(rings, options.noise_level, default_normal_noise(), smoothing_passes);
   }
 
   template <typename NamedParameters>

@@ -167,15 +167,17 @@ public:
   /*
     The logarithm of the probability density of the data at each of `samples` and its nearest neighbors, for each of
     `noise_levels`, up to a constant for each sample; NaN where there is no fit. The levels of a sample are next to each
-    other.
+    other. The shape parameter is the usual one times any of `shape_factors`, which are equally probable.
   */
   std::vector<double> log_likelihoods(const std::vector<Index>& samples,
                                       const std::vector<double>& noise_levels,
-                                      std::size_t number_of_neighbors) const
+                                      std::size_t number_of_neighbors,
+                                      const std::vector<double>& shape_factors) const
   {
     Workspace workspace;
-    std::vector<double> result(samples.size() * noise_levels.size(),
-                               std::numeric_limits<double>::quiet_NaN());
+    const std::size_t shapes = shape_factors.size();
+    std::vector<double> of_shape(samples.size() * noise_levels.size() * shapes,
+                                 std::numeric_limits<double>::quiet_NaN());
     for(std::size_t k = 0; k < samples.size(); ++k)
     {
       Scaled_neighborhood& neighborhood = workspace.m_neighborhood;
@@ -188,12 +190,18 @@ public:
       if(!is_estimated(status))
         continue;
       Task task = store(neighborhood, workspace);
+      const double shape_parameter = task.shape_parameter;
       for(std::size_t level = 0; level < noise_levels.size(); ++level)
       {
         task.noisy = Noisy_fit_attempts(neighborhood, noise_levels[level]);
         task.noisy.keep_trend_straight();
-        task.first_served = k * noise_levels.size() + level; // nothing is served: where the answer goes
-        workspace.m_tasks.push_back(task);
+        for(std::size_t s = 0; s < shapes; ++s)
+        {
+          task.shape_parameter = shape_factors[s] * shape_parameter;
+          // nothing is served: where the answer goes
+          task.first_served = (k * noise_levels.size() + level) * shapes + s;
+          workspace.m_tasks.push_back(task);
+        }
       }
     }
     sort_by_size(workspace);
@@ -208,8 +216,16 @@ public:
       m_functions.solve(batch);
       for(std::size_t t = first; t < last; ++t)
         if(batch.is_positive_definite[t - first] != 0.)
-          result[workspace.m_tasks[workspace.m_order[t]].first_served] = batch.log_likelihood[t - first];
+        {
+          // The density is that of values times the shape parameter.
+          const Task& task = workspace.m_tasks[workspace.m_order[t]];
+          of_shape[task.first_served] = batch.log_likelihood[t - first] +
+                                        double(task.number_of_points) * std::log(task.shape_parameter);
+        }
     }
+    std::vector<double> result(samples.size() * noise_levels.size());
+    for(std::size_t k = 0; k < result.size(); ++k)
+      result[k] = log_of_sum(of_shape.data() + k * shapes, shapes);
     return result;
   }
 
@@ -398,6 +414,21 @@ private:
                 return t.number_of_served != u.number_of_served ? t.number_of_served > u.number_of_served
                                                                 : a < b;
               });
+  }
+
+  // of the numbers whose logarithms these are, NaN for 0; NaN if there is no other
+  static double log_of_sum(const double* logarithms, std::size_t count)
+  {
+    double largest = std::numeric_limits<double>::quiet_NaN();
+    for(std::size_t k = 0; k < count; ++k)
+      largest = std::fmax(largest, logarithms[k]);
+    if(!std::isfinite(largest))
+      return largest;
+    double sum = 0.;
+    for(std::size_t k = 0; k < count; ++k)
+      if(!std::isnan(logarithms[k]))
+        sum += std::exp(logarithms[k] - largest);
+    return largest + std::log(sum);
   }
 
   // the task of a lane, if the batch is made of those from `m_order[first]` to `m_order[last - 1]`; lanes to spare

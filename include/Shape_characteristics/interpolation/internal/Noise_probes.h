@@ -71,8 +71,9 @@ std::vector<std::uint32_t> probes_of(const SampledSurface& surface, std::size_t 
 /*
   Some neighborhoods of a surface, and what they tell of the noise of its points.
 
-  A surface that bends much from sample to sample looks noisy as well, and suffers most from being smoothed. Where it
-  bends little, all that a fit can't follow is noise.
+  A surface that bends much from sample to sample looks noisy as well, and suffers most from being smoothed: there, it may be as
+  rough as a basis function of up to four times the usual shape parameter makes it. What that can't follow, either, is noise. Where
+  a surface bends little, all that a fit of the usual shape can't follow is noise.
 */
 template <typename SampledSurface>
 class Noise_probes
@@ -82,8 +83,11 @@ class Noise_probes
   static constexpr std::size_t s_levels = 12;
 
 public:
-  explicit Noise_probes(const SampledSurface& surface)
+  // `bends_are_noise`: whether what a fit of the usual shape can't follow is noise where the surface bends much, too, unless there
+  // are few signs of it
+  explicit Noise_probes(const SampledSurface& surface, bool bends_are_noise = false)
     : m_surface(surface),
+      m_bends_are_noise(bends_are_noise),
       m_probes(probes_of(surface, s_number_of_probes)),
       m_levels(s_levels)
   {
@@ -128,16 +132,18 @@ private:
   template <typename Fit>
   double level_of(const Fit& fit) const
   {
-    if(!m_surface_bends_little) // neighborhoods so small that it bends less in them
-      return m_levels[evidence_of(fit, m_probes, s_few).lowest_likely(1.5, 0)];
+    if(!m_surface_bends_little && m_bends_are_noise) // neighborhoods so small that it bends less in them
+      return m_levels[evidence_of(fit, m_probes, s_few, {1.}).lowest_likely(1.5, 0)];
+    if(!m_surface_bends_little)
+      return m_levels[evidence_of(fit, m_probes, s_many, {1., 2., 4.}).lowest_likely(.5, 0)];
 
     // Larger neighborhoods see the noise of marching cubes, which varies slowly from vertex to vertex. It may be in some
     // places only, and is largest in still larger neighborhoods; the fits at these places need it known.
-    const Evidence evidence = evidence_of(fit, m_gentle, s_many);
+    const Evidence evidence = evidence_of(fit, m_gentle, s_many, {1.});
     const std::size_t careful = evidence.lowest_likely(8., 0);
     if(m_levels[careful] < 0.99e-4)
       return m_levels[careful];
-    return m_levels[evidence_of(fit, evidence.noisy, s_most)
+    return m_levels[evidence_of(fit, evidence.noisy, s_most, {1.})
                         .lowest_likely(1., evidence.lowest_likely(1., 0))];
   }
 
@@ -172,9 +178,13 @@ private:
   }
 
   template <typename Fit>
-  Evidence evidence_of(const Fit& fit, const Probes& probes, std::size_t number_of_neighbors) const
+  Evidence evidence_of(const Fit& fit,
+                       const Probes& probes,
+                       std::size_t number_of_neighbors,
+                       const std::vector<double>& shape_factors) const
   {
-    const std::vector<double> of_probe = fit.log_likelihoods(probes, m_levels, number_of_neighbors);
+    const std::vector<double> of_probe =
+        fit.log_likelihoods(probes, m_levels, number_of_neighbors, shape_factors);
     Evidence evidence;
     for(std::size_t k = 0; k < probes.size(); ++k)
     {
@@ -205,6 +215,7 @@ private:
   static constexpr std::size_t s_few = Scaled_neighborhood::nearest, s_many = 2 * s_few, s_most = 4 * s_few;
 
   const SampledSurface& m_surface;
+  bool m_bends_are_noise;
   Probes m_probes, m_gentle;
   bool m_surface_bends_little = false; // between the samples of many neighborhoods
   bool m_is_uneven = false;            // that is what rings around some samples are
