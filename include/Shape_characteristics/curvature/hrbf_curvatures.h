@@ -51,8 +51,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   to a ten-thousandth of the largest curvature, and a finer mesh makes it smaller still: where a polynomial of degree 4 over the
   tangent plane (of degree 3 with other normals) leaves little, the basis function is fitted to what it leaves. Normals that are
   estimated from the mesh, and noise on the points, are dealt with by default: they are weighed against each other by their
-  evidence, see `noise_level`. A surface that is sampled coarsely looks a little noisy as well; where it is known to be clean,
-  `noise_level(0)` is better. At sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing
+  evidence, see `noise_level`. A surface that bends by a radian from sample to sample looks a little noisy as well; where it is known
+  to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing
   beside it; `is_sharp()` finds the edges.
 
   Where triangles are much longer than wide, as CAD programs make them for cylinders, rings reach farther along them than across.
@@ -126,7 +126,7 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
                             of the 9 nearest neighbors}
       \cgalParamType{`double`}
       \cgalParamDefault{the likeliest level of the data around some 50 vertices, by their marginal likelihood. A surface
-                        that bends much from vertex to vertex is taken for noisy on strong evidence alone. Each of
+                        that bends much from vertex to vertex may be rougher there than the basis function would have it. Each of
                         several passes expects all of that level, or a part of it, down to a tenth, where trial
                         passes over some parts of the surface flatten its bends.}
       \cgalParamExtra{Only with a positive definite basis function and inexact normals.}
