@@ -17,7 +17,7 @@ enum class Adaptive_estimator_choice : unsigned char
   NORMALS_2_RINGS, ///< points are noisy, normals are trusted; two rings
   NORMALS_3_RINGS, ///< points are noisy, normals are trusted; three rings
   SMOOTHED_3_RINGS, ///< as `hrbf_curvatures()` by default: points and normals are as noisy as they seem to be, and are smoothed
-                    ///< before the fit; three rings
+                    ///< before the fit; where a surface bends much, bends seem noisy, too; three rings
   SMOOTHED_4_RINGS, ///< points and normals are noisy (by .002 of the neighbors' distance at least), and are smoothed twice
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have

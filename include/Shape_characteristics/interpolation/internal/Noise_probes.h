@@ -83,8 +83,8 @@ class Noise_probes
   static constexpr std::size_t s_levels = 12;
 
 public:
-  // `bends_are_noise`: whether what a fit of the usual shape can't follow is noise where the surface bends much, too, unless there
-  // are few signs of it
+  // `bends_are_noise`: where the surface bends much, what a fit of the usual shape can't follow counts as noise, too, if the evidence
+  // is strong
   explicit Noise_probes(const SampledSurface& surface, bool bends_are_noise = false)
     : m_surface(surface),
       m_bends_are_noise(bends_are_noise),
