@@ -9,9 +9,6 @@
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
-#include <Shape_characteristics/interpolation/internal/Hermite_fit_rules.h>
-#include <Shape_characteristics/interpolation/internal/Noise_probes.h>
-#include <Shape_characteristics/interpolation/internal/Smoothing_trial.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
 #include <Eigen/Core>
