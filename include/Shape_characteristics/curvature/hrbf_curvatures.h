@@ -51,8 +51,8 @@ hrbf_estimates(SampledSurface& surface, std::size_t size, const NamedParameters&
   to a ten-thousandth of the largest curvature, and a finer mesh makes it smaller still: where a polynomial of degree 4 over the
   tangent plane (of degree 3 with other normals) leaves little, the basis function is fitted to what it leaves. Normals that are
   estimated from the mesh, and noise on the points, are dealt with by default: they are weighed against each other by their
-  evidence, see `noise_level`. A surface that bends by a radian from sample to sample looks a little noisy as well; where it is known
-  to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing
+  evidence, see `noise_level`. A surface that bends by more than a radian from sample to sample looks a little noisy as well; where it
+  is known to be clean, `noise_level(0)` is better. At sharp edges, the values are those of a rounded edge as wide as the neighborhood, and may swing
   beside it; `is_sharp()` finds the edges.
 
   Where triangles are much longer than wide, as CAD programs make them for cylinders, rings reach farther along them than across.

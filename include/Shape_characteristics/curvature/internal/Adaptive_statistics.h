@@ -254,7 +254,8 @@ public:
         field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
         break;
       case Choice::SMOOTHED_3_RINGS:
-        field = fit_smoothed(3);
+        // as hrbf_curvatures() would, if bends counted as noise
+        field = fit(3, parameters::radial_basis_function(Matern_9_2()), true);
         break;
       case Choice::SMOOTHED_4_RINGS:
         field = fit_inexact(4, (std::max)(noise_level(), least_smoothed_level), default_normal_noise(),
@@ -337,24 +338,8 @@ private:
                           .radial_basis_function(Matern_9_2()));
   }
 
-  // as hrbf_curvatures() would if it found that noise level
-  Fitted_field fit_smoothed(unsigned int rings)
-  {
-    if(m_is_cancelled)
-      return Fitted_field(m_size);
-    using Trial = Smoothing_trial<ConcurrencyTag, SampledSurface, Matern_9_2>;
-    SampledSurface surface = m_make_surface(rings);
-    typename Trial::Options options;
-    options.fits_are_shared = m_fits_are_shared && m_size == surface.size();
-    options.noise_level = Noise_probes<SampledSurface>(surface, true).level(Matern_9_2());
-    if(options.noise_level < Noisy_fit_attempts::negligible)
-      return fit_inexact(rings, options.noise_level, default_normal_noise(), 1);
-    options.noise_level *= Trial(surface, m_size, Matern_9_2(), options).part();
-    return fit_inexact(rings, options.noise_level, default_normal_noise(), smoothing_passes);
-  }
-
   template <typename NamedParameters>
-  Fitted_field fit(unsigned int rings, const NamedParameters& np)
+  Fitted_field fit(unsigned int rings, const NamedParameters& np, bool bends_are_noise = false)
   {
     if(m_is_cancelled)
       return Fitted_field(m_size);
@@ -374,7 +359,7 @@ private:
     for_each_hermite_rbf_fit<ConcurrencyTag>(
         surface, m_size, only,
         {[&](const std::size_t i, const Local_implicit_surface& local) { result[i] = Fitted_sample(local); }},
-        np.fits_are_shared(m_fits_are_shared).callback(callback));
+        np.fits_are_shared(m_fits_are_shared).callback(callback), bends_are_noise);
     m_progress = begin + length;
     return result;
   }
