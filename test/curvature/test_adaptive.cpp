@@ -307,20 +307,43 @@ BOOST_AUTO_TEST_CASE(few_samples_to_each_bend)
   }
 }
 
+namespace {
+
+using Point = benchmark_support::Vector;
+using Truth = std::function<benchmark_support::Exact_curvature(const Point&)>;
+
+// a level set, with the vertices where linear interpolation puts them
+Analytic_surface
+marching_cubes(const std::string& name, const std::function<double(const Point&)>& value, const Truth& truth)
+{
+  const benchmark_support::Triangle_arrays triangles = benchmark_support::marching_cubes(
+      value, {-1., -1., -1.}, {1., 1., 1.}, 24, benchmark_support::Edge_crossing::LINEAR);
+  Analytic_surface s;
+  s.name = name;
+  s.points = triangles.points;
+  s.triangles = triangles.triangles;
+  for(const Point& p : s.points)
+  {
+    s.exact.emplace_back();
+    static_cast<benchmark_support::Exact_curvature&>(s.exact.back()) = truth(p);
+  }
+  return s;
+}
+
+} // namespace
+
 // Where a surface bends little, normals of the faces that marching cubes interpolate linearly agree with the points as well as exact
 // ones do, and aren't.
 BOOST_AUTO_TEST_CASE(gentle_surface_of_marching_cubes)
 {
-  using benchmark_support::Vector;
   for(const double height : {.003, .01})
   {
-    // a plane with waves
-    const auto value = [&](const Vector& p)
+    const auto value = [&](const Point& p)
     {
       return .36 * p.x - .48 * p.y + .8 * p.z +
              height * (std::sin(p.x - .6 * p.y + .3) + std::cos(.8 * p.y + .5 * p.z));
     };
-    const auto truth = [&](const Vector& p)
+    const auto truth = [&](const Point& p)
     {
       const double sine = height * std::sin(p.x - .6 * p.y + .3),
                    cosine = height * std::cos(p.x - .6 * p.y + .3),
@@ -328,21 +351,11 @@ BOOST_AUTO_TEST_CASE(gentle_surface_of_marching_cubes)
                    second_cosine = height * std::cos(.8 * p.y + .5 * p.z);
       return benchmark_support::exact_curvature(
           {.36 + cosine, -.48 - .6 * cosine - .8 * second_sine, .8 - .5 * second_sine},
-          {Vector{-sine, .6 * sine, 0.},
-           Vector{.6 * sine, -.36 * sine - .64 * second_cosine, -.4 * second_cosine},
-           Vector{0., -.4 * second_cosine, -.25 * second_cosine}});
+          {Point{-sine, .6 * sine, 0.},
+           Point{.6 * sine, -.36 * sine - .64 * second_cosine, -.4 * second_cosine},
+           Point{0., -.4 * second_cosine, -.25 * second_cosine}});
     };
-    const benchmark_support::Triangle_arrays triangles = benchmark_support::marching_cubes(
-        value, {-1., -1., -1.}, {1., 1., 1.}, 24, benchmark_support::Edge_crossing::LINEAR);
-    Analytic_surface s;
-    s.name = "plane with waves";
-    s.points = triangles.points;
-    s.triangles = triangles.triangles;
-    for(const Vector& p : s.points)
-    {
-      s.exact.emplace_back();
-      static_cast<benchmark_support::Exact_curvature&>(s.exact.back()) = truth(p);
-    }
+    const Analytic_surface s = marching_cubes("plane with waves", value, truth);
     const Data data(s, Given::ESTIMATED, 0.);
     const Answer a = adaptive(data);
     const double of_hrbf = hrbf(data, false, 3);
@@ -482,6 +495,51 @@ BOOST_AUTO_TEST_CASE(no_quadrics)
   const On_quadrics nearly = on_quadrics(Data(ellipsoid, Given::ESTIMATED, 1e-10));
   BOOST_TEST(nearly.number == ellipsoid.points.size());
   BOOST_TEST(nearly.error < 1e-7);
+}
+
+// Where linear interpolation puts the vertices, exact normals tell the quadric: that of the level set through each of them. Through the
+// points of one layer of the grid there is another one.
+BOOST_AUTO_TEST_CASE(normals_of_quadrics)
+{
+  struct Form // a x^2 + b y^2 + c z^2 + d xy + e x + f y + g z + h
+  {
+    std::string name;
+    double a, b, c, d, e, f, g, h;
+  };
+  for(const Form& q :
+      {Form{"sphere", 1., 1., 1., 0., .1, 0., -.1, -.6}, Form{"ellipsoid", 1.3, 2., 4., .4, 0., .1, 0., -.8},
+       Form{"cylinder", 1., 1., 0., 0., .1, .2, 0., -.5}, Form{"saddle", .4, -.3, 0., .2, 0., .1, 1., 0.},
+       Form{"vault", .1, .3, .05, .2, .3, .2, .9, 0.}})
+    BOOST_TEST_CONTEXT(q.name)
+    {
+      const auto value = [&](const Point& p)
+      {
+        return q.a * p.x * p.x + q.b * p.y * p.y + q.c * p.z * p.z + q.d * p.x * p.y + q.e * p.x + q.f * p.y +
+               q.g * p.z + q.h;
+      };
+      const auto truth = [&](const Point& p)
+      {
+        return benchmark_support::exact_curvature(
+            {2. * q.a * p.x + q.d * p.y + q.e, 2. * q.b * p.y + q.d * p.x + q.f, 2. * q.c * p.z + q.g},
+            {Point{2. * q.a, q.d, 0.}, Point{q.d, 2. * q.b, 0.}, Point{0., 0., 2. * q.c}});
+      };
+      const Analytic_surface s = marching_cubes(q.name, value, truth);
+      const On_quadrics exact = on_quadrics(Data(s, Given::EXACT, 0.));
+      BOOST_TEST_MESSAGE(q.name << ": " << exact.number << " of " << s.points.size() << ", " << exact.error);
+      BOOST_TEST(exact.number + 1 >= s.points.size()); // there is a corner with few neighbors
+      BOOST_TEST(exact.error < 1e-9);
+      // with other normals, those few through whose points there is one
+      BOOST_TEST(on_quadrics(Data(s, Given::MISLEADING, 0.)).number < s.points.size() / 3);
+    }
+  // Normals of a sphere don't make one of points that are far from it.
+  Analytic_surface waves = test_support::plane(1., 24, .15, 3);
+  for(std::size_t i = 0; i < waves.points.size(); ++i)
+  {
+    auto& p = waves.points[i];
+    p.z = .1 * std::sin(9. * p.x);
+    waves.exact[i].normal = benchmark_support::normalized(p - Point{0., 0., -1.});
+  }
+  BOOST_TEST(on_quadrics(Data(waves, Given::EXACT, 0.)).number < waves.points.size() / 4);
 }
 
 // A conic goes through any five points, and rows hold no more of a profile within two rings.

@@ -30,6 +30,10 @@ namespace internal {
   samples make up a radius of curvature.) The quadric is the null vector of the matrix of its monomials, and must be the
   only one. Those of a plane, of which there are many, aren't looked for.
 
+  Where normals are those of level sets of a quadratic function, to eight digits of their angles, it is the level set through the
+  sample, though the neighbors are somewhat off it: on others, as they are where linear interpolation between the values of such a
+  function put them. (Through those of one layer of a grid there is a quadric, too, but another one.)
+
   An object may be used again and again: it keeps its memory.
 */
 template <typename SampledSurface>
@@ -38,7 +42,9 @@ class Quadric_through_neighbors
   using Vector = Eigen::Vector3d;
   static constexpr int s_monomials = 9; // all but the constant: the sample is the origin
   static constexpr int s_most_neighbors = 48;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, s_monomials, Eigen::ColMajor, s_most_neighbors>;
+  // two for the normal of each sample
+  static constexpr int s_most_equations = 2 * (s_most_neighbors + 1);
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, s_monomials, Eigen::ColMajor, s_most_equations>;
   using Square_matrix = Eigen::Matrix<double, s_monomials, s_monomials>;
   using Coefficients = Eigen::Matrix<double, s_monomials, 1>;
 
@@ -47,8 +53,38 @@ public:
   Fitted_sample operator()(const SampledSurface& surface, std::size_t i)
   {
     m_is_at_tip = false;
+    const Fitted_sample of_points = fit(surface, i, Known::POINTS);
+    if(m_is_at_tip || (is_estimated(of_points.status) && have_normals_of(m_quadric)))
+      return of_points;
+    const Fitted_sample of_normals = fit(surface, i, Known::NORMALS);
+    return is_estimated(of_normals.status) ? of_normals : of_points;
+  }
+
+  // whether there is none for the last sample because it is the tip of a cone
+  bool is_at_tip() const { return m_is_at_tip; }
+
+private:
+  enum class Known
+  {
+    POINTS,
+    NORMALS
+  };
+
+  static constexpr std::size_t s_fewest_neighbors = 12; // a quadric through nine is no surprise
+  static constexpr double s_distance = 1e-8;            // how far points may be off the surface
+  static constexpr double s_angle = 1e-8;               // how far normals may be off those of the surface
+  static constexpr double s_distance_of_others = .1; // how far points may be off it if it has their normals
+  static constexpr double s_gap = 1e3;               // between the smallest singular value and the next
+  static constexpr double s_least_slope = .01;       // of a quadric with coefficients of length 1
+  static constexpr double s_least_cosine = .8;       // of the angle between the gradient and the normal
+  static constexpr double s_zero = 1e-6;             // of coefficients, in units of the largest
+  static constexpr std::size_t s_lines = 6;          // that determine a cylinder or a cone
+  static constexpr std::size_t s_rows = 3;           // that determine nothing
+  static constexpr double s_between_lines = 1e-4;    // least distance
+
+  Fitted_sample fit(const SampledSurface& surface, std::size_t i, Known known)
+  {
     Estimation_status status;
-    Coefficients quadric;
     std::size_t number_of_neighbors = s_fewest_neighbors - 1;
     do
     {
@@ -61,47 +97,40 @@ public:
         return Fitted_sample();
       }
       number_of_neighbors = m_neighborhood.points.size() - 1;
-      if(number_of_neighbors <= fewer || !find_quadric(quadric))
+      if(number_of_neighbors <= fewer || !find_quadric(known))
         return Fitted_sample();
-    } while(!is_determined(quadric));
+    } while(!is_determined(m_quadric));
     Local_implicit_surface result;
     result.status = status;
-    result.gradient = quadric.head<3>();
-    result.hessian = hessian_of(quadric) / m_neighborhood.scale;
+    result.gradient = m_quadric.head<3>();
+    result.hessian = hessian_of(m_quadric) / m_neighborhood.scale;
     result.displacement.setZero();
     return Fitted_sample(result);
   }
 
-  // whether there is none for the last sample because it is the tip of a cone
-  bool is_at_tip() const { return m_is_at_tip; }
-
-private:
-  static constexpr std::size_t s_fewest_neighbors = 12; // a quadric through nine is no surprise
-  static constexpr double s_distance = 1e-8;            // how far points may be off the surface
-  static constexpr double s_gap = 1e3;                  // between the smallest singular value and the next
-  static constexpr double s_least_slope = .01;          // of a quadric with coefficients of length 1
-  static constexpr double s_least_cosine = .8;          // of the angle between the gradient and the normal
-  static constexpr double s_zero = 1e-6;                // of coefficients, in units of the largest
-  static constexpr std::size_t s_lines = 6;             // that determine a cylinder or a cone
-  static constexpr std::size_t s_rows = 3;              // that determine nothing
-  static constexpr double s_between_lines = 1e-4;       // least distance
-
-  // the quadric through the points, its gradient at the sample of unit length; whether there is one
-  bool find_quadric(Coefficients& quadric)
+  // the quadric of all points or normals, its gradient at the sample of unit length; whether there is one
+  bool find_quadric(Known known)
   {
-    if(!find_null_vector(quadric))
+    if(known == Known::POINTS)
+      collect_monomials();
+    else
+      collect_slopes();
+    if(!find_null_vector(m_quadric))
       return false;
-    const double slope = quadric.head<3>().norm();
+    const double slope = m_quadric.head<3>().norm();
     if(!(slope > s_least_slope)) // as at the tip of a cone
       return false;
-    quadric /= slope;
-    if(quadric.head<3>().dot(m_neighborhood.normals[0]) < 0.)
-      quadric = -quadric;
-    return is_surface(quadric);
+    m_quadric /= slope;
+    if(m_quadric.head<3>().dot(m_neighborhood.normals[0]) < 0.)
+      m_quadric = -m_quadric;
+    if(!m_quadric.allFinite() || !(m_quadric.head<3>().dot(m_neighborhood.normals[0]) > s_least_cosine))
+      return false;
+    return known == Known::POINTS ? are_on(m_quadric, s_distance)
+                                  : have_normals_of(m_quadric) && are_on(m_quadric, s_distance_of_others);
   }
 
-  // of x, y, z, x^2 / 2, y^2 / 2, z^2 / 2, xy, xz, yz, in the order of `hessian_of`
-  bool find_null_vector(Coefficients& result)
+  // the value at each neighbor of x, y, z, x^2 / 2, y^2 / 2, z^2 / 2, xy, xz, yz, in the order of `hessian_of`
+  void collect_monomials()
   {
     const std::size_t n = m_neighborhood.points.size() - 1;
     m_matrix.resize(Eigen::Index(n), s_monomials);
@@ -111,9 +140,34 @@ private:
       m_matrix.row(Eigen::Index(k)) << p.x(), p.y(), p.z(), p.x() * p.x() / 2., p.y() * p.y() / 2.,
           p.z() * p.z() / 2., p.x() * p.y(), p.x() * p.z(), p.y() * p.z();
     }
-    // Mostly there is none, as the last pivot tells.
+  }
+
+  // their slopes at each sample, along the two axes of its tangent plane
+  void collect_slopes()
+  {
+    const std::size_t n = m_neighborhood.points.size();
+    m_matrix.resize(Eigen::Index(2 * n), s_monomials);
+    for(std::size_t k = 0; k < n; ++k)
+    {
+      std::array<Vector, 2> axes;
+      tangent_basis(m_neighborhood.normals[k], axes[0], axes[1]);
+      const Vector& p = m_neighborhood.points[k];
+      for(std::size_t axis = 0; axis < 2; ++axis)
+      {
+        const Vector& t = axes[axis];
+        m_matrix.row(Eigen::Index(2 * k + axis)) << t.x(), t.y(), t.z(), p.x() * t.x(), p.y() * t.y(),
+            p.z() * t.z(), p.x() * t.y() + p.y() * t.x(), p.x() * t.z() + p.z() * t.x(),
+            p.y() * t.z() + p.z() * t.y();
+      }
+    }
+  }
+
+  // the coefficients with which nothing is left of the columns of the matrix
+  bool find_null_vector(Coefficients& result)
+  {
+    // Mostly there are none, as the last pivot tells.
     m_qr.compute(m_matrix);
-    const double bound = std::sqrt(double(n)) * s_distance, factor = 10.;
+    const double bound = std::sqrt(double(m_matrix.rows())) * s_distance, factor = 10.;
     if(!(std::abs(m_qr.matrixQR()(s_monomials - 1, s_monomials - 1)) < factor * bound))
       return false;
     const Square_matrix triangle =
@@ -134,20 +188,32 @@ private:
     return result;
   }
 
-  // whether all points are on it, and it faces where the normal points
-  bool is_surface(const Coefficients& quadric) const
+  // whether all points are on it, or off it by so much at most
+  bool are_on(const Coefficients& quadric, double distance) const
   {
     const Vector gradient = quadric.head<3>();
     const Eigen::Matrix3d hessian = hessian_of(quadric);
-    if(!quadric.allFinite() || !(gradient.dot(m_neighborhood.normals[0]) > s_least_cosine))
-      return false;
     return std::all_of(m_neighborhood.points.begin(), m_neighborhood.points.end(),
                        [&](const Vector& p)
                        {
                          const Vector turn = hessian * p;
                          return std::abs(gradient.dot(p) + .5 * p.dot(turn)) <=
-                                s_distance * (std::max)((gradient + turn).norm(), 1.);
+                                distance * (std::max)((gradient + turn).norm(), 1.);
                        });
+  }
+
+  // whether all samples have the normals of the level sets through them
+  bool have_normals_of(const Coefficients& quadric) const
+  {
+    const Vector gradient = quadric.head<3>();
+    const Eigen::Matrix3d hessian = hessian_of(quadric);
+    for(std::size_t k = 0; k < m_neighborhood.points.size(); ++k)
+    {
+      const Vector there = gradient + hessian * m_neighborhood.points[k];
+      if(!((there.normalized() - m_neighborhood.normals[k]).norm() <= s_angle))
+        return false;
+    }
+    return true;
   }
 
   // Through any five lines that are parallel or meet in a point there is a cylinder or a cone. So it tells nothing that there is one
@@ -232,6 +298,7 @@ private:
   typename SampledSurface::Workspace m_workspace;
   Scaled_neighborhood m_neighborhood;
   bool m_is_at_tip = false;
+  Coefficients m_quadric; // the last one that was found
   Matrix m_matrix;
   Eigen::ColPivHouseholderQR<Matrix> m_qr;
 };
