@@ -1,6 +1,7 @@
 // Calibrates adaptive_curvatures() on surfaces whose curvature is known, and compares it with the estimators among
 // which it chooses, and with others: on the thesis's surfaces and on further ones, none of which it was calibrated on.
 #include "Command_line.h"
+#include "parts/Calibration_row.h"
 #include "parts/Row.h"
 #include "parts/Score_learner.h"
 
@@ -32,6 +33,13 @@ std::string number(double value)
 std::string candidate_name(std::size_t c)
 {
   return to_string(Shape_characteristics::Adaptive_estimator_choice(c));
+}
+
+// the number of the candidate with the least mean error of a row
+std::size_t best_candidate(const Row& row)
+{
+  return std::size_t(std::min_element(row.mean_errors.begin(), row.mean_errors.end()) -
+                     row.mean_errors.begin());
 }
 
 /// Compares adaptive_curvatures() with single estimators, row by row.
@@ -126,24 +134,38 @@ private:
   bool m_is_best = false;
 };
 
-// `keep`: the constants that the library has of the candidates that don't check normals
-void calibrate(const std::string& file, double scale, bool keep)
+std::vector<Calibration_row> measure_rows(double scale)
 {
   std::vector<Calibration_row> rows;
   Measurements measurements;
   measurements.records = true;
-  for_each_row(keep ? Purpose::BRIEF_CALIBRATION : Purpose::CALIBRATION, scale, 1, "", measurements,
+  for_each_row(Purpose::CALIBRATION, scale, 1, "", measurements,
                [&](Row& row)
                {
-                 rows.push_back(calibration_row(row, 300));
+                 constexpr std::size_t vertices = 100;
+                 rows.push_back(calibration_row(row, vertices));
                  std::cout << row.surface << ", " << row.conditions.name() << ": "
                            << candidate_name(best_candidate(row)) << "\n";
                  std::cout.flush();
                });
-  const Scores kept = scores_of_library();
-  const Scores scores = learn_scores(rows, keep ? &kept : nullptr, std::cout);
+  return rows;
+}
+
+// `rows_file`: none, if it is empty
+void calibrate(const std::string& file, const std::string& rows_file, double scale)
+{
+  std::vector<Calibration_row> rows;
+  if(!rows_file.empty())
+    rows = read_rows(rows_file);
+  if(rows.empty())
+  {
+    rows = measure_rows(scale);
+    if(!rows_file.empty())
+      write_rows(rows_file, rows);
+  }
+  const Scores scores = learn_scores(rows, std::cout);
   std::ofstream out(file);
-  out << to_header(scores, keep);
+  out << to_header(scores);
   if(!out.flush())
     throw std::runtime_error("cannot write " + file);
 }
@@ -160,14 +182,16 @@ const char* const help =
     "the rows\n"
     "  --shared           with shared fits, too\n"
     "  --calibrate FILE   makes the constants of the library instead, and writes them as a header\n"
-    "  --keep             with --calibrate: only those of the fits that check whether normals are exact;\n"
-    "                     the others are as they were\n"
+    "  --rows FILE        with --calibrate: what is measured for it, which takes longest, is read from the "
+    "file "
+    "if\n"
+    "                     there is one, and written to it if not\n"
     "  --help             this text\n";
 
 int run(int argc, char** argv)
 {
   const benchmark_support::Command_line arguments(
-      argc, argv, {"purpose", "only", "scale", "seed", "calibrate"}, {"quick", "shared", "keep", "help"});
+      argc, argv, {"purpose", "only", "scale", "seed", "calibrate", "rows"}, {"quick", "shared", "help"});
   if(arguments.has("help"))
   {
     std::cout << help;
@@ -178,11 +202,11 @@ int run(int argc, char** argv)
   std::istringstream(arguments.text("scale", quick ? "0.05" : "1")) >> scale;
   if(!(scale > 0. && scale <= 100.))
     throw std::invalid_argument("--scale must be a positive number");
-  if(arguments.has("keep") && !arguments.has("calibrate"))
-    throw std::invalid_argument("--keep goes with --calibrate");
+  if(arguments.has("rows") && !arguments.has("calibrate"))
+    throw std::invalid_argument("--rows goes with --calibrate");
   if(arguments.has("calibrate"))
   {
-    calibrate(arguments.text("calibrate", ""), scale, arguments.has("keep"));
+    calibrate(arguments.text("calibrate", ""), arguments.text("rows", ""), scale);
     return 0;
   }
   const std::string name = arguments.text("purpose", "validation");

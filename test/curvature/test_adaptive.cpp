@@ -26,6 +26,7 @@
 #include <initializer_list>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -580,6 +581,52 @@ BOOST_AUTO_TEST_CASE(planes_that_meet)
   const On_quadrics result = on_quadrics(Data(s, Given::EXACT, 0.));
   BOOST_TEST(result.number > 0u);
   BOOST_TEST(result.error < 1e-12);
+}
+
+// The likelihoods tell which data are noisy, and how much.
+BOOST_AUTO_TEST_CASE(noise_evidence)
+{
+  using Name = SC::internal::Adaptive_statistic;
+  struct Means
+  {
+    double exact_normals, exact_points, noise_of_points, noise_of_normals, neither;
+  };
+  const auto means = [](const Given given, const double noise)
+  {
+    const Data data(surfaces().front(), given, noise);
+    SC::internal::Adaptive_statistics<CGAL::Sequential_tag, SC::Face_graph_samples> statistics(
+        [&](const unsigned int rings)
+        {
+          return SC::sampled_surface(data.mesh, SC::Neighborhood::rings(rings),
+                                     SC::parameters::vertex_normal_map(data.normals));
+        },
+        {}, false);
+    const auto mean = [&](const Name name)
+    {
+      const std::vector<double>& all = statistics.statistic(name);
+      return std::accumulate(all.begin(), all.end(), 0.) / double(all.size());
+    };
+    const Means result = {mean(Name::NORMALS_BY_1E_3), mean(Name::POINTS_BY_1E_6),
+                          mean(Name::LIKELY_NOISE_OF_POINTS), mean(Name::LIKELY_NOISE_OF_NORMALS),
+                          mean(Name::NEITHER_IS_NOISY)};
+    BOOST_TEST_MESSAGE(int(given) << ", " << noise << ": " << result.exact_normals << " "
+                                  << result.exact_points << " " << result.noise_of_points << " "
+                                  << result.noise_of_normals << " " << result.neither);
+    return result;
+  };
+  const Means exact = means(Given::EXACT, 0.), estimated = means(Given::ESTIMATED, 0.),
+              noisy = means(Given::EXACT, .03), noisier = means(Given::EXACT, .1);
+  BOOST_TEST(exact.exact_normals > 1.);
+  BOOST_TEST(exact.neither > -1.);
+  BOOST_TEST(estimated.neither < -2.);
+  BOOST_TEST(estimated.exact_normals < -1.);
+  BOOST_TEST(estimated.exact_points > 1.);
+  BOOST_TEST(exact.noise_of_normals < estimated.noise_of_normals - .5);
+  BOOST_TEST(noisy.noise_of_normals < estimated.noise_of_normals + .1);
+  BOOST_TEST(noisy.exact_points < -1.);
+  for(const auto& [found, noise] :
+      {std::pair(noisy.noise_of_points, .03), std::pair(noisier.noise_of_points, .1)})
+    BOOST_TEST(std::abs(found - std::log10(noise)) < .4);
 }
 
 // Where some samples need a closer look, the others are left alone; no bit shows it.

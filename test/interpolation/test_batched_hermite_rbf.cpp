@@ -558,19 +558,21 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
   const std::vector<std::uint32_t> probes = {0, 17, 100, 101, 250};
   using Plain = SC::Local_hermite_rbf<Face_graph_samples, SC::Matern_9_2>;
   using Batched = internal::Batched_hermite_rbf<Face_graph_samples, SC::Matern_9_2>;
-  const Batched batched(samples, SC::Matern_9_2(), Batched::Options());
+  const std::vector<double> normal_levels = {1e-2, Plain::Options().normal_noise_level};
   Plain::Workspace workspace;
   for(const std::vector<double>& shape_factors : {std::vector<double>{1.}, std::vector<double>{1., 2., 4.}})
     for(const std::size_t neighbors : {9, 18, 36}) // of rings that grow
     {
-      const auto expected_of = [&](const std::size_t probe, const double level)
+      const auto expected_of = [&](const std::size_t probe, const double level, const double normal_level)
       {
+        Plain::Options options;
+        options.normal_noise_level = normal_level;
         std::vector<double> of_shape;
         for(const double factor : shape_factors)
         {
           const Plain plain(
               samples, SC::Matern_9_2().with_shape_parameter(factor * internal::shape_parameter_of_noisy_fit),
-              Plain::Options());
+              options);
           of_shape.push_back(plain.log_likelihood(probe, level, neighbors, workspace));
         }
         double sum = 0.;
@@ -578,16 +580,27 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
           sum += std::exp(l - of_shape[0]);
         return of_shape[0] + std::log(sum);
       };
-      const auto result = batched.log_likelihoods(probes, levels, neighbors, shape_factors);
+      std::vector<std::vector<double> > results; // of each level of the normals
+      for(const double normal_level : normal_levels)
+      {
+        Batched::Options options;
+        options.normal_noise_level = normal_level;
+        const Batched batched(samples, SC::Matern_9_2(), options);
+        results.push_back(batched.log_likelihoods(probes, levels, neighbors, shape_factors));
+      }
       for(std::size_t k = 0; k < probes.size(); ++k)
-        for(std::size_t e = 0; e + 1 < levels.size(); ++e)
-        {
-          const double expected = expected_of(probes[k], levels[e]) - expected_of(probes[k], levels.back());
-          const double found = result[k * levels.size() + e] - result[(k + 1) * levels.size() - 1];
-          // many neighbors and little noise magnify rounding
-          const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : 1e-6;
-          BOOST_TEST(std::abs(found - expected) < tolerance * (1. + std::abs(expected)));
-        }
+        for(std::size_t n = 0; n < normal_levels.size(); ++n)
+          for(std::size_t e = 0; e < levels.size(); ++e)
+          {
+            // in units of that with most noise
+            const double expected = expected_of(probes[k], levels[e], normal_levels[n]) -
+                                    expected_of(probes[k], levels.back(), normal_levels.back());
+            const double found =
+                results[n][k * levels.size() + e] - results.back()[(k + 1) * levels.size() - 1];
+            // many neighbors and little noise magnify rounding
+            const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : 1e-6;
+            BOOST_TEST(std::abs(found - expected) < tolerance * (1. + std::abs(expected)));
+          }
       BOOST_TEST(workspace.neighborhood.points.size() == neighbors + 1);
     }
 }

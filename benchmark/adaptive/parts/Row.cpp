@@ -43,7 +43,7 @@ std::vector<Conditions> conditions(const Surface& surface, Purpose purpose)
   for(const double noise : {.01, .03, .1})
     for(const char* normals : {"exact", "Max"})
       list.push_back({normals, noise, 0.});
-  if(purpose == Purpose::CALIBRATION || purpose == Purpose::BRIEF_CALIBRATION)
+  if(purpose == Purpose::CALIBRATION)
   {
     list.push_back({"noisy", 0., .003});
     list.push_back({"noisy", .03, .03});
@@ -216,18 +216,10 @@ void for_each_row(Purpose purpose,
     // There are many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
     // look otherwise.
     for(const bool is_coarse : {false, true})
-      with(is_coarse ? .3 : 1., [&](const std::size_t number, const Surface&, const Conditions& c)
-           { return (number % 2 == 0) == is_coarse || is_clean(c); });
-    break;
-  case Purpose::BRIEF_CALIBRATION:
-    // half of the conditions, but of noisy level sets, which take longest, a quarter
-    for(const bool is_coarse : {false, true})
-      with(is_coarse ? .25 : .5,
-           [&](const std::size_t number, const Surface& surface, const Conditions& c)
-           {
-             if(is_clean(c))
-               return (number % 2 == 0) == is_coarse;
-             return surface.is_graph ? (number % 4 < 2) == is_coarse : number % 4 == (is_coarse ? 0u : 2u);
+      with(is_coarse ? .3 : 1.,
+           [&](const std::size_t number, const Surface& surface, const Conditions& c) {
+             return (!surface.is_one_of_many || number % 3 == 0) &&
+                    ((number % 2 == 0) == is_coarse || is_clean(c));
            });
     break;
   default:

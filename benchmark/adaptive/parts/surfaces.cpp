@@ -155,6 +155,143 @@ private:
   std::vector<Wave> m_waves;
 };
 
+Vector random_vector(benchmark_support::Random& random, double half)
+{
+  Vector v;
+  for(std::size_t i = 0; i < 3; ++i)
+    v[i] = random.uniform(-half, half);
+  return v;
+}
+
+// a sum of bells at random places
+class Random_bells
+{
+public:
+  // widths from `narrowest` to four times that; `steepness`: of one of them
+  Random_bells(benchmark_support::Random& random, std::size_t number, double narrowest, double steepness)
+  {
+    for(std::size_t k = 0; k < number; ++k)
+    {
+      const double width = narrowest * std::pow(4., random.uniform(0., 1.));
+      const double sign = random.uniform(-1., 1.) < 0. ? -1. : 1.;
+      m_bells.push_back({random_vector(random, 1.), width, sign * steepness * width});
+    }
+  }
+
+  Number operator()(const Number& x, const Number& y, const Number& z) const
+  {
+    Number sum(0.);
+    for(const Bell& bell : m_bells)
+      sum =
+          sum + bell.height *
+                    exp(-1. / (bell.width * bell.width) *
+                        (square(x - bell.center.x) + square(y - bell.center.y) + square(z - bell.center.z)));
+    return sum;
+  }
+
+private:
+  struct Bell
+  {
+    Vector center;
+    double width, height;
+  };
+  std::vector<Bell> m_bells;
+};
+
+// Many surfaces, each of which is tried in a few conditions: what is learned of them is to hold for others.
+void add_random_surfaces(std::vector<Surface>& list, double n, double m)
+{
+  benchmark_support::Random random(17);
+  const auto name = [](const char* kind, int k) { return std::string(kind) + " " + std::to_string(k); };
+  // between two lengths, evenly in their logarithms
+  const auto length = [&](double least, double largest)
+  { return least * std::pow(largest / least, random.uniform(0., 1.)); };
+  for(int k = 0; k < 20; ++k)
+  {
+    const Random_bells bells(random, std::size_t(6 + k), length(.07, .4), random.uniform(.3, 1.2));
+    add_graph(list, name("knolls", k), 1., n,
+              [bells](const Number& x, const Number& y) { return bells(x, y, Number(0.)); });
+  }
+  for(int k = 0; k < 20; ++k)
+  {
+    const double of_first = length(.22, 2.), of_second = length(.22, 2.), steepness = random.uniform(.2, 1.),
+                 bend = random.uniform(-.3, .3), tilt = random.uniform(-.5, .5);
+    const double a = 2. * CGAL_PI / of_first, b = 2. * CGAL_PI / of_second;
+    add_graph(list, name("crossed waves", k), 1., n,
+              [=](const Number& x, const Number& y)
+              {
+                return steepness / (a + b) * sin(a * (x + tilt * y)) * cos(b * (y - tilt * x) + Number(.4)) +
+                       bend * x * x;
+              });
+  }
+  for(int k = 0; k < 14; ++k)
+  {
+    const Random_waves waves(random, length(.13, 1.5), random.uniform(.2, .8));
+    add_graph(list, name("lake", k), 1., n,
+              [waves](const Number& x, const Number& y) { return waves(x, y, Number(0.)); });
+  }
+  for(int k = 0; k < 16; ++k)
+  {
+    const Random_waves waves(random, length(.35, 2.5), random.uniform(.1, .5));
+    const Random_bells bells(random, 5, length(.25, .8), random.uniform(.1, .6));
+    const double a = random.uniform(.7, 1.4), b = random.uniform(.7, 1.4);
+    add_level_set(list, name("rock", k), 1.9, m,
+                  [=](const Number& x, const Number& y, const Number& z) {
+                    return sqrt(a * x * x + b * y * y + z * z) - 1.05 + .5 * waves(x, y, z) - bells(x, y, z);
+                  });
+  }
+  for(int k = 0; k < 16; ++k)
+  {
+    const double a = length(1.2, 4.), b = length(1.2, 4.), c = length(1.2, 4.),
+                 level = random.uniform(-.4, .4);
+    const Vector shift = random_vector(random, 1.);
+    add_level_set(list, name("lattice", k), 1., m,
+                  [=](const Number& x, const Number& y, const Number& z)
+                  {
+                    return sin(a * x + Number(shift.x)) * cos(b * y) +
+                           sin(b * y + Number(shift.y)) * cos(c * z) +
+                           sin(c * z + Number(shift.z)) * cos(a * x) - Number(level);
+                  });
+  }
+  for(int k = 0; k < 16; ++k)
+  {
+    const double a = random.uniform(.6, 1.6), b = random.uniform(.6, 1.6), c = random.uniform(.6, 1.6),
+                 ab = random.uniform(0., 2.), bc = random.uniform(0., 2.), round = random.uniform(0., .8);
+    const Vector tilt = random_vector(random, .25);
+    add_level_set(list, name("soap", k), 1.6, m,
+                  [=](const Number& x, const Number& y, const Number& z)
+                  {
+                    const Number xx = square(x + tilt.x * y), yy = square(y + tilt.y * z),
+                                 zz = square(z + tilt.z * x);
+                    return a * xx * xx + b * yy * yy + c * zz * zz + ab * xx * yy + bc * yy * zz +
+                           round * (xx + yy + zz) - 1.;
+                  });
+  }
+  for(int k = 0; k < 14; ++k)
+  {
+    const double radius = length(.2, .5), a = 2. * CGAL_PI / length(1., 4.),
+                 b = 2. * CGAL_PI / length(1., 4.), wide = random.uniform(.1, .4),
+                 high = random.uniform(0., .3);
+    add_level_set(list, name("winding tube", k), 1., m,
+                  [=](const Number& x, const Number& y, const Number& z)
+                  {
+                    return square(x + wide * sin(a * z)) + square(y + wide * cos(b * z)) -
+                           square(radius + high * radius * sin(b * z + Number(1.)));
+                  });
+  }
+  for(int k = 0; k < 14; ++k)
+  {
+    const Random_bells bells(random, std::size_t(4 + k), length(.2, .8), random.uniform(.05, .8));
+    Vector direction;
+    for(std::size_t i = 0; i < 3; ++i)
+      direction[i] = random.gaussian();
+    const Vector d = normalized(direction);
+    add_level_set(list, name("moor", k), 1., m,
+                  [=](const Number& x, const Number& y, const Number& z)
+                  { return d.x * x + d.y * y + d.z * z + bells(x, y, z); });
+  }
+}
+
 std::vector<Surface> calibration(double scale)
 {
   std::vector<Surface> list;
@@ -280,6 +417,10 @@ std::vector<Surface> calibration(double scale)
                     return sum;
                   });
   }
+  const std::size_t regular = list.size();
+  add_random_surfaces(list, n, m);
+  for(std::size_t k = regular; k < list.size(); ++k)
+    list[k].is_one_of_many = true;
   return list;
 }
 
@@ -377,7 +518,6 @@ std::vector<Surface> surfaces(Purpose purpose, double scale)
   switch(purpose)
   {
   case Purpose::CALIBRATION:
-  case Purpose::BRIEF_CALIBRATION:
     return calibration(scale);
   case Purpose::TABLES:
     return tables(scale);

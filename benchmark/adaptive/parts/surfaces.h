@@ -12,13 +12,11 @@
 
 namespace adaptive {
 
-/// Which surfaces: those from whose errors the constants of adaptive_curvatures() are learned; the same with fewer vertices and in fewer
-/// conditions, from which a few of the constants are; those of the thesis's tables, further ones, and those of technical parts.
-/// Only the first two have a part in the constants.
+/// Which surfaces: those from whose errors the constants of adaptive_curvatures() are learned; those of the thesis's tables, further
+/// ones, and those of technical parts. Only the first have a part in the constants.
 enum class Purpose
 {
   CALIBRATION,
-  BRIEF_CALIBRATION,
   TABLES,
   VALIDATION,
   SHAPES
@@ -30,8 +28,9 @@ struct Surface
   std::string name;
   std::function<benchmark_support::Triangle_arrays(std::uint64_t seed)> mesh;
   std::function<benchmark_support::Exact_curvature(const benchmark_support::Vector&)> exact;
-  bool is_graph = false;      ///< of a function, by random points or a grid
-  bool is_noise_added = true; ///< in the experiments with noise
+  bool is_graph = false;       ///< of a function, by random points or a grid
+  bool is_noise_added = true;  ///< in the experiments with noise
+  bool is_one_of_many = false; ///< tried in a third of the conditions
 };
 
 /// The surfaces for a purpose. `scale`: of the number of vertices, 1 for that of the published figures.

@@ -6,7 +6,7 @@ namespace Shape_characteristics {
 /// \ingroup PkgShapeCharacteristicsCurvature
 /// the estimators among which `adaptive_curvatures()` chooses at each sample: Hermite radial basis functions that
 /// trust points and normals to different degrees, over neighborhoods of different sizes, which it blends, and the quadric
-/// through all points, where there is one
+/// of all points or all normals, where there is one
 enum class Adaptive_estimator_choice : unsigned char
 {
   EXACT_2_RINGS,  ///< points and normals are taken for exact, unchecked; two rings (18 neighbors)
@@ -17,7 +17,7 @@ enum class Adaptive_estimator_choice : unsigned char
   NORMALS_2_RINGS, ///< points are noisy, normals are trusted; two rings
   NORMALS_3_RINGS, ///< points are noisy, normals are trusted; three rings
   SMOOTHED_3_RINGS, ///< as `hrbf_curvatures()` by default: points and normals are as noisy as they seem to be, and are smoothed
-                    ///< before the fit; where a surface bends much, bends seem noisy, too; three rings
+                    ///< before the fit; three rings
   SMOOTHED_4_RINGS, ///< points and normals are noisy (by .002 of the neighbors' distance at least), and are smoothed twice
                     ///< before the fit; four rings
   GENTLY_SMOOTHED_4_RINGS, ///< as `SMOOTHED_4_RINGS`, for a tenth of the noise that points seem to have
@@ -25,7 +25,7 @@ enum class Adaptive_estimator_choice : unsigned char
   CHECKED_2_RINGS, ///< as `hrbf_curvatures()` where `normals_are_exact`: they are, as far as they agree with the points; two rings,
                    ///< chosen where three have no fit
   CHECKED_3_RINGS, ///< as `CHECKED_2_RINGS`, with three rings
-  QUADRIC,         ///< the sample and its neighbors (two rings, or 18) lie on a quadric, to eight digits
+  QUADRIC,         ///< a quadric has the points, or the normals, of two rings (18 neighbors), to eight digits
   NONE             ///< there is no estimate
 };
 

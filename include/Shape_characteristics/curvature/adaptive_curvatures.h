@@ -50,14 +50,15 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   Nobody has to say what kind of data it is: whether normals are exact, estimated or noisy, how noisy the points are,
   how coarsely the surface was sampled. The candidates (`Adaptive_estimator_choice`) are Hermite radial basis functions as in
   `hrbf_curvatures()`, that trust points and normals to different degrees. Their shape operators are averaged with
-  weights \f$ e^{-s} \f$; the score \f$ s \f$ of each is a linear function, that a program has learned from surfaces whose
-  curvature is known (`benchmark/adaptive`), of statistics without units, means over the neighbors of a vertex:
+  weights \f$ e^{-s} \f$; the scores \f$ s \f$ are what a neural network with one hidden layer, which a program has trained on
+  surfaces whose curvature is known (`benchmark/adaptive`), makes of statistics without units, means over the neighbors of a vertex:
 
   - how well normals and curvatures of a fit agree with its points along edges (of exact data they do up to the fifth power
     of the edge length),
   - how much the fits differ that trust the data to different degrees, and from the given normals,
   - how far the points were moved by smoothing them, and whether to one side,
-  - how much the surface bends between samples, how irregular they are, and the likeliest noise level.
+  - how much the surface bends between samples, how irregular they are, and the likeliest noise level,
+  - how likely different levels of noise, of points and of normals, make the data.
 
   Where the first of these, or that and the noise level, say that normals are exact beyond doubt, nothing else is asked; elsewhere
   mostly one or two have a part in the average. Those with less than a fiftieth of the largest weight have none.
@@ -67,7 +68,9 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are, unless
   that of the vertex leans by more than 37 degrees.
   Where a profile was moved, or scaled, with vertices in rows and columns, there are five points of the profile within two rings, and
-  a conic goes through any five: there the third ring has to agree, if it isn't a circle.
+  a conic goes through any five: there the third ring has to agree, if it isn't a circle. The normals may tell a quadric, too, if they
+  are exact: where marching cubes interpolate a quadratic function linearly, as that of a ball or a tube, the curvatures are
+  those of its level set through each vertex.
 
   Level sets that marching cubes take from a coarse grid are its weak point: they are off in the same direction for some vertices,
   which four rings hardly tell from the shape. Who knows that it is so does better with `hrbf_curvatures()` of four rings and a
@@ -104,8 +107,8 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
 
   Complexity: linear in the number of vertices. A quadric takes some microseconds on one processor. Where there is none and normals
   are exact beyond doubt, three fits are made at a vertex: tens of microseconds. Elsewhere, and some rings around, it is up to
-  nineteen, eight of them over four rings: milliseconds. The results of thirteen of them are kept at the same time, which takes some
-  two kilobytes a vertex.
+  nineteen, eight of them over four rings, and sixty over the nearest neighbors, which tell of the noise: milliseconds. The results of
+  thirteen of them are kept at the same time, which takes some three kilobytes a vertex.
 
   \cgalExample{curvature/adaptive_curvatures.cpp}
 */

@@ -163,7 +163,8 @@ public:
                                                            internal::Scaled_neighborhood::crowd)))
       return std::numeric_limits<double>::quiet_NaN();
     set_up_noisy(workspace, false);
-    const internal::Noisy_fit_attempts noise(workspace.neighborhood, noise_level);
+    const internal::Noisy_fit_attempts noise(workspace.neighborhood, noise_level,
+                                             m_options.normal_noise_level);
     return workspace.system.solve_positive_definite(noise.value_variance(), noise.derivative_variance())
                ? workspace.system.log_likelihood()
                : std::numeric_limits<double>::quiet_NaN();

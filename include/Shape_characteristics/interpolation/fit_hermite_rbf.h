@@ -60,10 +60,8 @@ public:
   using Index = Sample_patches::Index;
   using Output = Hermite_fit_output;
 
-  // `bends_are_noise`: for the level of noise, where it isn't given; see Noise_probes
   template <typename NamedParameters>
-  explicit Hermite_rbf_fitter(const NamedParameters& np, bool bends_are_noise = false)
-    : m_bends_are_noise(bends_are_noise)
+  explicit Hermite_rbf_fitter(const NamedParameters& np)
   {
     using parameters::choose_parameter;
     using parameters::get_parameter;
@@ -159,9 +157,7 @@ private:
     if(!m_normals_are_exact)
     {
       const bool level_is_given = m_noise_level >= 0.;
-      options.noise_level = level_is_given
-                                ? m_noise_level
-                                : Noise_probes<SampledSurface>(surface, m_bends_are_noise).level(phi);
+      options.noise_level = level_is_given ? m_noise_level : Noise_probes<SampledSurface>(surface).level(phi);
       options.normal_noise_level = m_normal_noise_level;
       const bool is_noisy = !(options.noise_level < Noisy_fit_attempts::negligible);
       passes = m_passes > 0 ? m_passes : is_noisy ? std::size_t(passes_over_noise) : 1;
@@ -247,7 +243,6 @@ private:
     return Callback_of_pass(m_callback, pass, passes);
   }
 
-  bool m_bends_are_noise;
   bool m_normals_are_exact;
   Shape_parameter_box m_box;
   double m_noise_level; // negative: to be estimated
@@ -280,14 +275,13 @@ void for_each_hermite_rbf_fit(SampledSurface& surface,
                               std::size_t size,
                               const std::vector<Sample_patches::Index>& only,
                               const typename Hermite_rbf_fitter<ConcurrencyTag>::Output& output,
-                              const NamedParameters& np,
-                              bool bends_are_noise = false)
+                              const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
   using parameters::is_default_parameter;
 
-  const Hermite_rbf_fitter<ConcurrencyTag> fitter(np, bends_are_noise);
+  const Hermite_rbf_fitter<ConcurrencyTag> fitter(np);
   if constexpr(!is_default_parameter<NamedParameters, internal_np::radial_basis_function_t>::value)
     fitter(surface, get_parameter(np, internal_np::radial_basis_function), size, only, output);
   else if(choose_parameter(get_parameter(np, internal_np::normals_are_exact), false))

@@ -11,6 +11,7 @@
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -24,7 +25,7 @@ struct Adaptive_estimates
   std::vector<Adaptive_estimator_choice> choices;
 };
 
-// Blends the estimators at each sample, in proportion to exp(-score). Where the points lie on a quadric, or normals are exact
+// Blends the estimators at each sample, in proportion to exp(-score). Where points or normals are those of a quadric, or normals are exact
 // beyond doubt, nothing else is asked for, and of the other fits only those are made that have a part elsewhere.
 template <typename ConcurrencyTag, typename SampledSurface>
 class Adaptive_estimator
@@ -118,9 +119,9 @@ private:
 
   void blend(const std::vector<Index>& samples, Adaptive_estimates& result)
   {
-    std::array<const std::vector<double>*, adaptive_score_statistics.size()> statistics;
+    std::array<const std::vector<double>*, number_of_adaptive_statistics> statistics;
     for(std::size_t k = 0; k < statistics.size(); ++k)
-      statistics[k] = &m_statistics.statistic(adaptive_score_statistics[k]);
+      statistics[k] = &m_statistics.statistic(Adaptive_statistic(k));
     Fields fields;
     for(std::size_t c = 0; c < fields.size(); ++c)
       fields[c] = &m_statistics.field(Choice(c));
@@ -128,12 +129,30 @@ private:
       return;
     for(const Index i : samples)
     {
-      Scores scores = adaptive_score_weights[0];
-      for(std::size_t k = 0; k < statistics.size(); ++k)
-        for(std::size_t c = 0; c < scores.size(); ++c)
-          scores[c] += adaptive_score_weights[k + 1][c] * (*statistics[k])[i];
+      Scores scores = adaptive_scores([&](const std::size_t k) { return (*statistics[k])[i]; });
       blend(fields, scores, i, result);
     }
+  }
+
+  // `statistic(k)`: the k-th one of a sample
+  template <typename Statistic>
+  static Scores adaptive_scores(const Statistic& statistic)
+  {
+    std::array<double, number_of_adaptive_units> units = adaptive_unit_weights[0];
+    for(std::size_t k = 0; k < number_of_adaptive_statistics; ++k)
+    {
+      const double x = statistic(k);
+      for(std::size_t u = 0; u < units.size(); ++u)
+        units[u] += adaptive_unit_weights[k + 1][u] * x;
+    }
+    Scores scores = adaptive_score_weights[0];
+    for(std::size_t u = 0; u < units.size(); ++u)
+    {
+      const double unit = std::tanh(units[u]);
+      for(std::size_t c = 0; c < scores.size(); ++c)
+        scores[c] += adaptive_score_weights[u + 1][c] * unit;
+    }
+    return scores;
   }
 
   static void blend(const Fields& fields, Scores& scores, std::size_t i, Adaptive_estimates& result)

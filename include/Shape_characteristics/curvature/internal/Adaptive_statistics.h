@@ -5,6 +5,8 @@
 #include <Shape_characteristics/Named_function_parameters.h>
 #include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
+#include <Shape_characteristics/curvature/internal/Noise_evidence.h>
+#include <Shape_characteristics/internal/log_of_sum.h>
 #include <Shape_characteristics/interpolation/Inverse_multiquadric.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
@@ -20,6 +22,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace Shape_characteristics {
@@ -46,7 +49,7 @@ inline constexpr Adaptive_estimator_choice adaptive_heir(Adaptive_estimator_choi
 
 /*
   What there is to be known of a sample and its surroundings, without units: lengths are in units of the size h of the
-  nearest neighbors, curvatures in those of 1 / h. All but the last ones are decimal logarithms of means over the neighbors.
+  nearest neighbors, curvatures in those of 1 / h. Those before `IRREGULARITY` are decimal logarithms of means over the neighbors.
   What is less than the least noise level counts as that: rounding decides it, where points are far from the origin. Angles
   alone, which tell whether normals are exact, are taken as they are.
 
@@ -120,12 +123,39 @@ enum class Adaptive_statistic : unsigned char
   // displacements along the normals, and their mean: noise has none
   SMOOTHED_3_MOVES,
   SMOOTHED_3_DRIFT,
-  NOISE,        // the noise level of the points of the whole surface
-  IRREGULARITY, // size of the nearest neighbors over the distance of the nearest one
+  NOISE,              // the noise level of the points of the whole surface, if bends count as noise
+  NOISE_BESIDE_BENDS, // if they don't
+  IRREGULARITY,       // size of the nearest neighbors over the distance of the nearest one
+  // How likely levels of noise make the nearest neighbors, if the surface is as rough as the default fit takes it to be: see
+  // Noise_evidence, in whose order they are.
+  NORMALS_BY_1E_3,
+  NORMALS_BY_1E_2,
+  NORMALS_BY_1E_1,
+  POINTS_BY_1E_6,
+  POINTS_BY_1E_3,
+  POINTS_BY_1E_2,
+  POINTS_BY_3E_2,
+  LIKELY_NOISE_OF_POINTS,
+  LIKELY_NOISE_OF_NORMALS,
+  NEITHER_IS_NOISY,
+  // the same if it is as rough, or twice or four times so
+  ROUGH_NORMALS_BY_1E_3,
+  ROUGH_NORMALS_BY_1E_2,
+  ROUGH_NORMALS_BY_1E_1,
+  ROUGH_POINTS_BY_1E_6,
+  ROUGH_POINTS_BY_1E_3,
+  ROUGH_POINTS_BY_1E_2,
+  ROUGH_POINTS_BY_3E_2,
+  ROUGH_LIKELY_NOISE_OF_POINTS,
+  ROUGH_LIKELY_NOISE_OF_NORMALS,
+  ROUGH_NEITHER_IS_NOISY,
   COUNT
 };
 
 inline constexpr std::size_t number_of_adaptive_statistics = std::size_t(Adaptive_statistic::COUNT);
+
+static_assert(std::size_t(Adaptive_statistic::NORMALS_BY_1E_3) + 2 * Noise_evidence::number_of_statistics ==
+              number_of_adaptive_statistics);
 
 // Whether normals are exact beyond doubt: a fit to points and given normals agrees with them much better than one that hardly looks at
 // normals (`exactness` is learned), or as well, and as only exact ones do. `statistic(name)` is one of the sample: all are decimal
@@ -189,7 +219,8 @@ public:
       m_callback(1.);
   }
 
-  // Where a surface bends much, bends count as noise, too: the scores were learned so.
+  // Where a surface bends much, bends count as noise, too. There, over noise, the others are too low for a fit that is to be smooth, and
+  // where it is clean, there are fits that don't ask.
   double noise_level()
   {
     if(m_noise_level < 0.)
@@ -254,8 +285,8 @@ public:
         field = fit_inexact(3, noise_level(), trusted_normal_noise, 1);
         break;
       case Choice::SMOOTHED_3_RINGS:
-        // as hrbf_curvatures() would, if bends counted as noise
-        field = fit(3, parameters::radial_basis_function(Matern_9_2()), true);
+        // as hrbf_curvatures() does
+        field = fit(3, parameters::radial_basis_function(Matern_9_2()));
         break;
       case Choice::SMOOTHED_4_RINGS:
         field = fit_inexact(4, (std::max)(noise_level(), least_smoothed_level), default_normal_noise(),
@@ -286,6 +317,12 @@ public:
   }
 
 private:
+  struct Evidence
+  {
+    Noise_evidence of_surface, of_rough_surface;
+    bool is_known = false;
+  };
+
   static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
   static constexpr double least_noise_level = 1e-6, least_angle = 1e-12;
   static constexpr unsigned int smoothing_passes = 3;
@@ -339,7 +376,7 @@ private:
   }
 
   template <typename NamedParameters>
-  Fitted_field fit(unsigned int rings, const NamedParameters& np, bool bends_are_noise = false)
+  Fitted_field fit(unsigned int rings, const NamedParameters& np)
   {
     if(m_is_cancelled)
       return Fitted_field(m_size);
@@ -359,7 +396,7 @@ private:
     for_each_hermite_rbf_fit<ConcurrencyTag>(
         surface, m_size, only,
         {[&](const std::size_t i, const Local_implicit_surface& local) { result[i] = Fitted_sample(local); }},
-        np.fits_are_shared(m_fits_are_shared).callback(callback), bends_are_noise);
+        np.fits_are_shared(m_fits_are_shared).callback(callback));
     m_progress = begin + length;
     return result;
   }
@@ -429,8 +466,13 @@ private:
       return drift(Choice::SMOOTHED_3_RINGS);
     case Name::NOISE:
       return std::vector<double>(m_size, logarithm(noise_level()));
-    default:
+    case Name::NOISE_BESIDE_BENDS:
+      return std::vector<double>(m_size,
+                                 logarithm(Noise_probes<SampledSurface>(m_surface).level(Matern_9_2())));
+    case Name::IRREGULARITY:
       return irregularity();
+    default:
+      return evidence(number - std::size_t(Name::NORMALS_BY_1E_3));
     }
   }
 
@@ -581,6 +623,92 @@ private:
                 { return m_sizes[i] / (m_surface.point(m_neighbors[i][0]) - m_surface.point(i)).norm(); }));
   }
 
+  std::vector<double> evidence(std::size_t statistic)
+  {
+    if(m_evidence.empty())
+      collect_evidence();
+    const bool is_rough = statistic >= Noise_evidence::number_of_statistics;
+    const std::size_t number = statistic - (is_rough ? Noise_evidence::number_of_statistics : 0);
+    std::vector<double> result(m_size, 0.);
+    for_each_of(m_asked_for,
+                [&](const std::size_t i)
+                {
+                  const Evidence& evidence = m_evidence[i];
+                  result[i] = (is_rough ? evidence.of_rough_surface : evidence.of_surface).statistic(number);
+                });
+    return result;
+  }
+
+  void collect_evidence()
+  {
+    m_evidence.resize(m_size);
+    if(m_is_cancelled)
+      return;
+    std::vector<Evidence> of_samples(m_size);
+    constexpr std::size_t block = 32;
+    std::vector<Index> samples = m_known;
+    if(samples.empty())
+    {
+      samples.resize(m_size);
+      std::iota(samples.begin(), samples.end(), Index(0));
+    }
+    for_each_sample<ConcurrencyTag, No_workspace>(
+        (samples.size() + block - 1) / block,
+        [&](const std::size_t k, No_workspace&)
+        {
+          const auto begin = samples.begin() + std::ptrdiff_t(k * block),
+                     end = samples.begin() + std::ptrdiff_t((std::min)((k + 1) * block, samples.size()));
+          collect_evidence(std::vector<Index>(begin, end), of_samples);
+        });
+    for_each_of(m_asked_for,
+                [&](const std::size_t i)
+                {
+                  double number = 0.;
+                  const auto add = [&](const std::size_t j)
+                  {
+                    if(j < m_size && of_samples[j].is_known)
+                    {
+                      m_evidence[i].of_surface += of_samples[j].of_surface;
+                      m_evidence[i].of_rough_surface += of_samples[j].of_rough_surface;
+                      ++number;
+                    }
+                  };
+                  add(i);
+                  for(const Index j : m_neighbors[i])
+                    add(j);
+                  if(number > 0.)
+                  {
+                    m_evidence[i].of_surface /= number;
+                    m_evidence[i].of_rough_surface /= number;
+                  }
+                });
+  }
+
+  void collect_evidence(const std::vector<Index>& samples, std::vector<Evidence>& result) const
+  {
+    using Fit = Batched_hermite_rbf<SampledSurface, Matern_9_2>;
+    static const std::vector<double> levels(Noise_evidence::point_levels.begin(),
+                                            Noise_evidence::point_levels.end());
+    for(std::size_t normals = 0; normals < Noise_evidence::normal_levels.size(); ++normals)
+    {
+      typename Fit::Options options;
+      options.normal_noise_level = Noise_evidence::normal_levels[normals];
+      const Fit fit(m_surface, Matern_9_2(), options);
+      const std::vector<double> usual = fit.log_likelihoods(samples, levels, s_pool, {1.}),
+                                rough = fit.log_likelihoods(samples, levels, s_pool, {2., 4.});
+      for(std::size_t k = 0; k < samples.size(); ++k)
+        for(std::size_t points = 0; points < levels.size(); ++points)
+        {
+          const std::array<double, 2> both = {usual[k * levels.size() + points],
+                                              rough[k * levels.size() + points]};
+          result[samples[k]].of_surface(normals, points) = both[0];
+          result[samples[k]].of_rough_surface(normals, points) = log_of_sum(both.begin(), both.end());
+        }
+    }
+    for(const Index i : samples)
+      result[i].is_known = result[i].of_surface.normalize() && result[i].of_rough_surface.normalize();
+  }
+
   Make_surface m_make_surface;
   std::function<bool(double)> m_callback;
   bool m_fits_are_shared;
@@ -591,6 +719,7 @@ private:
   std::vector<std::vector<Index> > m_neighbors; // the nearest ones of two rings
   std::vector<double> m_sizes;                  // root mean square distance of the nearest ones of them
   double m_noise_level = -1.;                   // negative: not known yet
+  std::vector<Evidence> m_evidence;             // means over the nearest ones
   std::vector<Index> m_asked_for;               // samples of which statistics are asked for (empty: all),
   std::vector<Index> m_known;                   // those that they are means of,
   std::vector<Index> m_fitted;                  // and those of which it takes fits

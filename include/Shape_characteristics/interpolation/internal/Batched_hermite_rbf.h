@@ -5,6 +5,7 @@
 #include <Shape_characteristics/internal/Axis_scaling.h>
 #include <Shape_characteristics/internal/Rounded_distance.h>
 #include <Shape_characteristics/internal/Scaled_neighborhood.h>
+#include <Shape_characteristics/internal/log_of_sum.h>
 #include <Shape_characteristics/interpolation/Local_hermite_rbf.h>
 #include <Shape_characteristics/interpolation/internal/Exact_fit_attempts.h>
 #include <Shape_characteristics/interpolation/internal/Hermite_batch.h>
@@ -193,7 +194,7 @@ public:
       const double shape_parameter = task.shape_parameter;
       for(std::size_t level = 0; level < noise_levels.size(); ++level)
       {
-        task.noisy = Noisy_fit_attempts(neighborhood, noise_levels[level]);
+        task.noisy = Noisy_fit_attempts(neighborhood, noise_levels[level], m_options.normal_noise_level);
         task.noisy.keep_trend_straight();
         for(std::size_t s = 0; s < shapes; ++s)
         {
@@ -225,7 +226,10 @@ public:
     }
     std::vector<double> result(samples.size() * noise_levels.size());
     for(std::size_t k = 0; k < result.size(); ++k)
-      result[k] = log_of_sum(of_shape.data() + k * shapes, shapes);
+    {
+      const double* const first = of_shape.data() + k * shapes;
+      result[k] = log_of_sum(first, first + shapes);
+    }
     return result;
   }
 
@@ -414,21 +418,6 @@ private:
                 return t.number_of_served != u.number_of_served ? t.number_of_served > u.number_of_served
                                                                 : a < b;
               });
-  }
-
-  // of the numbers whose logarithms these are, NaN for 0; NaN if there is no other
-  static double log_of_sum(const double* logarithms, std::size_t count)
-  {
-    double largest = std::numeric_limits<double>::quiet_NaN();
-    for(std::size_t k = 0; k < count; ++k)
-      largest = std::fmax(largest, logarithms[k]);
-    if(!std::isfinite(largest))
-      return largest;
-    double sum = 0.;
-    for(std::size_t k = 0; k < count; ++k)
-      if(!std::isnan(logarithms[k]))
-        sum += std::exp(logarithms[k] - largest);
-    return largest + std::log(sum);
   }
 
   // the task of a lane, if the batch is made of those from `m_order[first]` to `m_order[last - 1]`; lanes to spare
