@@ -290,6 +290,24 @@ void add_random_surfaces(std::vector<Surface>& list, double n, double m)
                   [=](const Number& x, const Number& y, const Number& z)
                   { return d.x * x + d.y * y + d.z * z + bells(x, y, z); });
   }
+  // corners of rounded boxes with wide sides
+  for(int k = 0; k < 14; ++k)
+  {
+    const double size = length(1.1, 2.4), a = random.uniform(.8, 1.2), b = random.uniform(.8, 1.2);
+    Vector center;
+    for(std::size_t i = 0; i < 3; ++i)
+      center[i] = 1. - size - random.uniform(.1, .8);
+    const bool is_sharp = k % 3 == 2;
+    add_level_set(list, name("block", k), 1., m,
+                  [=](const Number& x, const Number& y, const Number& z)
+                  {
+                    const Number xx = square(1. / size * (x - center.x)),
+                                 yy = square(1. / size * (y - center.y)),
+                                 zz = square(1. / size * (z - center.z));
+                    return is_sharp ? a * xx * xx * xx + b * yy * yy * yy + zz * zz - 1.
+                                    : a * xx * xx + b * yy * yy + zz * zz - 1.;
+                  });
+  }
 }
 
 std::vector<Surface> calibration(double scale)
