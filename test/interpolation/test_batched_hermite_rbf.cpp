@@ -575,10 +575,11 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
               options);
           of_shape.push_back(plain.log_likelihood(probe, level, neighbors, workspace));
         }
+        const double largest = *std::max_element(of_shape.begin(), of_shape.end());
         double sum = 0.;
         for(const double l : of_shape)
-          sum += std::exp(l - of_shape[0]);
-        return of_shape[0] + std::log(sum);
+          sum += std::exp(l - largest);
+        return largest + std::log(sum);
       };
       std::vector<std::vector<double> > results; // of each level of the normals
       for(const double normal_level : normal_levels)
@@ -597,8 +598,8 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
                                     expected_of(probes[k], levels.back(), normal_levels.back());
             const double found =
                 results[n][k * levels.size() + e] - results.back()[(k + 1) * levels.size() - 1];
-            // many neighbors and little noise magnify rounding
-            const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : 1e-6;
+            // many neighbors and little noise, most of all of both, magnify rounding
+            const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : n == 0 ? 1e-5 : 1e-6;
             BOOST_TEST(std::abs(found - expected) < tolerance * (1. + std::abs(expected)));
           }
       BOOST_TEST(workspace.neighborhood.points.size() == neighbors + 1);
