@@ -325,6 +325,7 @@ private:
 
   static constexpr std::size_t s_edges = 8, s_pool = 18; // nearest neighbors
   static constexpr double least_noise_level = 1e-6, least_angle = 1e-12;
+  static constexpr double least_move = 1e-4; // of clean points, rounding decides smaller ones
   static constexpr unsigned int smoothing_passes = 3;
   // The scores were learned with 1e-3. Somewhat less suits exact normals of points with much noise better, and still serves those of
   // faces.
@@ -611,10 +612,10 @@ private:
     std::vector<double> of_samples = heights(choice);
     for(double& x : of_samples)
       x = std::abs(x);
-    return pooled(of_samples);
+    return pooled(of_samples, least_move);
   }
 
-  std::vector<double> drift(Choice choice) { return pooled(heights(choice)); }
+  std::vector<double> drift(Choice choice) { return pooled(heights(choice), least_move); }
 
   std::vector<double> irregularity() const
   {
