@@ -182,10 +182,8 @@ const char* const help =
     "the rows\n"
     "  --shared           with shared fits, too\n"
     "  --calibrate FILE   makes the constants of the library instead, and writes them as a header\n"
-    "  --rows FILE        with --calibrate: what is measured for it, which takes longest, is read from the "
-    "file "
-    "if\n"
-    "                     there is one, and written to it if not\n"
+    "  --rows FILE        with --calibrate: what is measured for it, which takes longest, is read from the\n"
+    "                     file if there is one, and written to it if not\n"
     "  --help             this text\n";
 
 int run(int argc, char** argv)

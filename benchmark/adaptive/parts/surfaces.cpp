@@ -56,7 +56,7 @@ void add_graph(std::vector<Surface>& list,
                     mesh.triangles = benchmark_support::delaunay_triangles(mesh.points);
                     return mesh;
                   },
-                  exact, true});
+                  exact});
   list.push_back({name + " grid",
                   [=](std::uint64_t)
                   {
@@ -75,7 +75,7 @@ void add_graph(std::vector<Surface>& list,
                       }
                     return mesh;
                   },
-                  exact, true});
+                  exact});
 }
 
 /// F(x, y, z) = 0, outside where it is positive, by marching cubes; `tolerance`: of F, if the crossing is exact
@@ -119,6 +119,14 @@ void add_shape(std::vector<Surface>& list,
   add_cubes(list, name, half, samples, f, Edge_crossing::EXACT, 0.);
 }
 
+Vector random_direction(benchmark_support::Random& random)
+{
+  Vector direction;
+  for(std::size_t i = 0; i < 3; ++i)
+    direction[i] = random.gaussian();
+  return normalized(direction);
+}
+
 // a sum of waves in random directions; `shortest` is that of their lengths
 class Random_waves
 {
@@ -129,10 +137,8 @@ public:
     for(int k = 0; k < number; ++k)
     {
       const double length = shortest * std::pow(4., random.uniform(0., 1.));
-      Vector direction;
-      for(std::size_t i = 0; i < 3; ++i)
-        direction[i] = random.gaussian();
-      m_waves.push_back({(2. * CGAL_PI / length) * normalized(direction), random.uniform(0., 2. * CGAL_PI),
+      const Vector direction = random_direction(random);
+      m_waves.push_back({(2. * CGAL_PI / length) * direction, random.uniform(0., 2. * CGAL_PI),
                          steepness * length / (2. * CGAL_PI * std::sqrt(double(number)))});
     }
   }
@@ -282,10 +288,7 @@ void add_random_surfaces(std::vector<Surface>& list, double n, double m)
   for(int k = 0; k < 14; ++k)
   {
     const Random_bells bells(random, std::size_t(4 + k), length(.2, .8), random.uniform(.05, .8));
-    Vector direction;
-    for(std::size_t i = 0; i < 3; ++i)
-      direction[i] = random.gaussian();
-    const Vector d = normalized(direction);
+    const Vector d = random_direction(random);
     add_level_set(list, name("moor", k), 1., m,
                   [=](const Number& x, const Number& y, const Number& z)
                   { return d.x * x + d.y * y + d.z * z + bells(x, y, z); });
@@ -388,10 +391,7 @@ std::vector<Surface> calibration(double scale)
   {
     const double shortest = std::pow(8., k / 7.);
     const Random_waves waves(random, shortest, .2 + .1 * (k % 4));
-    Vector direction;
-    for(std::size_t i = 0; i < 3; ++i)
-      direction[i] = random.gaussian();
-    const Vector d = normalized(direction);
+    const Vector d = random_direction(random);
     add_level_set(list, "plain " + std::to_string(k), 1., m,
                   [waves, d](const Number& x, const Number& y, const Number& z)
                   { return d.x * x + d.y * y + d.z * z + waves(x, y, z); });
@@ -517,7 +517,7 @@ std::vector<Surface> tables(double scale)
                         return is_random ? random_tessellation(f, points, seed)
                                          : grid_tessellation(f, std::size_t(std::sqrt(double(points))));
                       },
-                      [f](const Vector& p) { return f.exact(p.x, p.y); }, true, is_random});
+                      [f](const Vector& p) { return f.exact(p.x, p.y); }, is_random});
   for(const bool is_exact : {true, false})
     for(const benchmark_support::Implicit_function& f : benchmark_support::implicit_functions())
       list.push_back({f.name + (is_exact ? " exact cubes" : " original cubes"),
@@ -525,7 +525,7 @@ std::vector<Surface> tables(double scale)
                         return marching_cubes_tessellation(
                             f, samples, is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
                       },
-                      [f](const Vector& p) { return f.exact(p); }, false, f.name == "f1i" && is_exact});
+                      [f](const Vector& p) { return f.exact(p); }, f.name == "f1i" && is_exact});
   return list;
 }
 

@@ -28,7 +28,6 @@ struct Surface
   std::string name;
   std::function<benchmark_support::Triangle_arrays(std::uint64_t seed)> mesh;
   std::function<benchmark_support::Exact_curvature(const benchmark_support::Vector&)> exact;
-  bool is_graph = false;       ///< of a function, by random points or a grid
   bool is_noise_added = true;  ///< in the experiments with noise
   bool is_one_of_many = false; ///< tried in a third of the conditions
 };
