@@ -7,12 +7,17 @@
 
 #include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
 
+#include <CGAL/for_each.h>
+#include <CGAL/tags.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -33,13 +38,6 @@ std::string number(double value)
 std::string candidate_name(std::size_t c)
 {
   return to_string(Shape_characteristics::Adaptive_estimator_choice(c));
-}
-
-// the number of the candidate with the least mean error of a row
-std::size_t best_candidate(const Row& row)
-{
-  return std::size_t(std::min_element(row.mean_errors.begin(), row.mean_errors.end()) -
-                     row.mean_errors.begin());
 }
 
 /// Compares adaptive_curvatures() with single estimators, row by row.
@@ -136,18 +134,24 @@ private:
 
 std::vector<Calibration_row> measure_rows(double scale)
 {
-  std::vector<Calibration_row> rows;
+  constexpr std::size_t vertices = 100;
   Measurements measurements;
   measurements.records = true;
-  for_each_row(Purpose::CALIBRATION, scale, 1, "", measurements,
-               [&](Row& row)
-               {
-                 constexpr std::size_t vertices = 100;
-                 rows.push_back(calibration_row(row, vertices));
-                 std::cout << row.surface << ", " << row.conditions.name() << ": "
-                           << candidate_name(best_candidate(row)) << "\n";
-                 std::cout.flush();
-               });
+  const std::vector<Experiment> list = experiments(Purpose::CALIBRATION, scale, "");
+  std::vector<Calibration_row> rows(list.size());
+  std::vector<std::size_t> numbers(list.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
+  std::atomic<std::size_t> measured(0);
+  CGAL::for_each<CGAL::Parallel_if_available_tag>(
+      numbers,
+      [&](const std::size_t k)
+      {
+        rows[k] = calibration_row(measure(list[k], 1, measurements), vertices);
+        if(const std::size_t yet = ++measured; yet % 100 == 0 || yet == list.size())
+          std::cout << std::to_string(yet) + " of " + std::to_string(list.size()) + " rows measured\n"
+                    << std::flush;
+        return true;
+      });
   return rows;
 }
 
@@ -218,9 +222,9 @@ int run(int argc, char** argv)
   measurements.records = measurements.adaptive = measurements.others = true;
   measurements.shared = arguments.has("shared");
   Comparison comparison(name, measurements.shared);
-  for_each_row(purposes.at(name), scale, arguments.number("seed", 1),
-               arguments.text("only", quick ? "monkey" : ""), measurements,
-               [&](const Row& row) { comparison.add(row); });
+  for(const Experiment& experiment :
+      experiments(purposes.at(name), scale, arguments.text("only", quick ? "monkey" : "")))
+    comparison.add(measure(experiment, arguments.number("seed", 1), measurements));
   comparison.finish();
   return quick && !comparison.is_best() ? 1 : 0;
 }

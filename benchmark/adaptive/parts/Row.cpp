@@ -22,6 +22,19 @@ using benchmark_support::Exact_curvature;
 using benchmark_support::Triangle_arrays;
 using benchmark_support::Vector;
 
+double mean_error(const std::vector<Vertex_record>& vertices, std::size_t candidate)
+{
+  double sum = 0.;
+  std::size_t number = 0;
+  for(const Vertex_record& v : vertices)
+    if(std::isfinite(v.errors[candidate].k_max))
+    {
+      sum += v.errors[candidate].sum();
+      ++number;
+    }
+  return sum / double(number);
+}
+
 std::string Conditions::name() const
 {
   std::ostringstream out;
@@ -33,6 +46,9 @@ std::string Conditions::name() const
   return out.str();
 }
 
+namespace {
+
+// those in which a surface is tried
 std::vector<Conditions> conditions(const Surface& surface, Purpose purpose)
 {
   std::vector<Conditions> list = {{"exact", 0., 0.}, {"Max", 0., 0.}, {"average", 0., 0.}};
@@ -55,21 +71,6 @@ std::vector<Conditions> conditions(const Surface& surface, Purpose purpose)
   }
   return list;
 }
-
-double mean_error(const std::vector<Vertex_record>& vertices, std::size_t candidate)
-{
-  double sum = 0.;
-  std::size_t number = 0;
-  for(const Vertex_record& v : vertices)
-    if(std::isfinite(v.errors[candidate].k_max))
-    {
-      sum += v.errors[candidate].sum();
-      ++number;
-    }
-  return sum / double(number);
-}
-
-namespace {
 
 Normal_map make_normals(Mesh& mesh, const std::vector<Exact_curvature>& exact, const Conditions& c)
 {
@@ -145,86 +146,67 @@ double mean_error(const Mesh& mesh, const Estimates& estimates, const std::vecto
   return sum / double(number);
 }
 
-// `is_tried(number, surface, conditions)`: whether to try the surface in these conditions, the `number`-th in all
-void for_each_row(Purpose purpose,
-                  double scale,
-                  std::uint64_t seed,
-                  const std::string& only,
-                  const Measurements& measurements,
-                  const std::function<bool(std::size_t, const Surface&, const Conditions&)>& is_tried,
-                  const std::function<void(Row&)>& report)
-{
-  std::size_t number = 0;
-  for(const Surface& surface : surfaces(purpose, scale))
-  {
-    ++number;
-    if(surface.name.find(only) == std::string::npos)
-      continue;
-    const Triangle_arrays clean = surface.mesh(seed);
-    std::vector<Exact_curvature> exact;
-    for(const Vector& p : clean.points)
-      exact.push_back(surface.exact(p));
-    for(const Conditions& c : conditions(surface, purpose))
-    {
-      if(!is_tried(++number, surface, c))
-        continue;
-      Triangle_arrays arrays = clean;
-      if(c.point_noise > 0.)
-        add_noise(arrays, benchmark_support::Noise::GAUSSIAN, c.point_noise, seed + 6);
-      Mesh mesh = benchmark_support::build_face_graph<Mesh>(arrays.points, arrays.triangles);
-      const Normal_map normals = make_normals(mesh, exact, c);
-      Row row;
-      row.surface = surface.name;
-      row.conditions = c;
-      if(measurements.records)
-        add_records(mesh, normals, exact, row);
-      const auto measure = [&](const bool fits_are_shared, double& mae, double& seconds)
-      {
-        const auto start = std::chrono::steady_clock::now();
-        const Estimates estimates = estimate_adaptively(mesh, normals, fits_are_shared);
-        seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        mae = mean_error(mesh, estimates, exact);
-      };
-      if(measurements.adaptive)
-        measure(false, row.adaptive_error, row.adaptive_seconds);
-      if(measurements.shared)
-        measure(true, row.shared_error, row.shared_seconds);
-      if(measurements.others)
-        for(const Other_estimator& other : other_estimators())
-          row.others.emplace_back(other.name, mean_error(mesh, other.run(mesh, normals), exact));
-      report(row);
-    }
-  }
-}
-
 } // namespace
 
-void for_each_row(Purpose purpose,
-                  double scale,
-                  std::uint64_t seed,
-                  const std::string& only,
-                  const Measurements& measurements,
-                  const std::function<void(Row&)>& report)
+std::vector<Experiment> experiments(Purpose purpose, double scale, const std::string& only)
 {
-  const auto with = [&](const double size,
-                        const std::function<bool(std::size_t, const Surface&, const Conditions&)>& is_tried)
-  { for_each_row(purpose, size * scale, seed, only, measurements, is_tried, report); };
+  std::vector<Experiment> list;
   const auto is_clean = [](const Conditions& c) { return c.point_noise == 0. && c.normal_noise == 0.; };
-  switch(purpose)
+  // Calibration has many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
+  // look otherwise.
+  const bool calibrates = purpose == Purpose::CALIBRATION;
+  for(const bool is_coarse : {false, true})
   {
-  case Purpose::CALIBRATION:
-    // There are many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
-    // look otherwise.
-    for(const bool is_coarse : {false, true})
-      with(is_coarse ? .3 : 1.,
-           [&](const std::size_t number, const Surface& surface, const Conditions& c) {
-             return (!surface.is_one_of_many || number % 3 == 0) &&
-                    ((number % 2 == 0) == is_coarse || is_clean(c));
-           });
-    break;
-  default:
-    with(1., [](std::size_t, const Surface&, const Conditions&) { return true; });
+    std::size_t number = 0; // of the surface and conditions, in all
+    if(is_coarse && !calibrates)
+      break;
+    for(const Surface& surface : surfaces(purpose, (is_coarse ? .3 : 1.) * scale))
+    {
+      ++number;
+      if(surface.name.find(only) == std::string::npos)
+        continue;
+      for(const Conditions& c : conditions(surface, purpose))
+      {
+        ++number;
+        if(!calibrates || (number % surface.one_in == 0 && ((number % 2 == 0) == is_coarse || is_clean(c))))
+          list.push_back({surface, c});
+      }
+    }
   }
+  return list;
+}
+
+Row measure(const Experiment& experiment, std::uint64_t seed, const Measurements& measurements)
+{
+  const Conditions& conditions = experiment.conditions;
+  Triangle_arrays arrays = experiment.surface.mesh(seed);
+  std::vector<Exact_curvature> exact;
+  for(const Vector& p : arrays.points)
+    exact.push_back(experiment.surface.exact(p));
+  if(conditions.point_noise > 0.)
+    add_noise(arrays, benchmark_support::Noise::GAUSSIAN, conditions.point_noise, seed + 6);
+  Mesh mesh = benchmark_support::build_face_graph<Mesh>(arrays.points, arrays.triangles);
+  const Normal_map normals = make_normals(mesh, exact, conditions);
+  Row row;
+  row.surface = experiment.surface.name;
+  row.conditions = conditions;
+  if(measurements.records)
+    add_records(mesh, normals, exact, row);
+  const auto estimate = [&](const bool fits_are_shared, double& mae, double& seconds)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const Estimates estimates = estimate_adaptively(mesh, normals, fits_are_shared);
+    seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    mae = mean_error(mesh, estimates, exact);
+  };
+  if(measurements.adaptive)
+    estimate(false, row.adaptive_error, row.adaptive_seconds);
+  if(measurements.shared)
+    estimate(true, row.shared_error, row.shared_seconds);
+  if(measurements.others)
+    for(const Other_estimator& other : other_estimators())
+      row.others.emplace_back(other.name, mean_error(mesh, other.run(mesh, normals), exact));
+  return row;
 }
 
 } // namespace adaptive

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace adaptive {
@@ -29,8 +29,15 @@ struct Conditions
   std::string name() const;
 };
 
-/// Those in which a surface is tried.
-std::vector<Conditions> conditions(const Surface& surface, Purpose purpose);
+/// A surface in certain conditions.
+struct Experiment
+{
+  Surface surface;
+  Conditions conditions;
+};
+
+/// All those with the surfaces for a purpose that have `only` in their name.
+std::vector<Experiment> experiments(Purpose purpose, double scale, const std::string& only);
 
 /// A vertex: what is known of it, and the errors of the candidates.
 struct Vertex_record
@@ -50,7 +57,7 @@ struct Vertex_record
 /// The mean error of a candidate, where there is an estimate.
 double mean_error(const std::vector<Vertex_record>& vertices, std::size_t candidate);
 
-/// A surface in certain conditions: a row of a table.
+/// What comes of an experiment: a row of a table.
 struct Row
 {
   std::string surface;
@@ -64,7 +71,7 @@ struct Row
   std::vector<std::pair<std::string, double> > others; ///< of other estimators
 };
 
-/// What else is to be measured.
+/// What is to be measured.
 struct Measurements
 {
   bool records = false;  ///< statistics and errors of candidates at all vertices
@@ -73,13 +80,8 @@ struct Measurements
   bool others = false;   ///< other estimators
 };
 
-/// Calls `report` with each row of the surfaces for a purpose.
-void for_each_row(Purpose purpose,
-                  double scale,
-                  std::uint64_t seed,
-                  const std::string& only,
-                  const Measurements& measurements,
-                  const std::function<void(Row&)>& report);
+/// Makes an experiment. `seed`: of random points and noise.
+Row measure(const Experiment& experiment, std::uint64_t seed, const Measurements& measurements);
 
 } // namespace adaptive
 

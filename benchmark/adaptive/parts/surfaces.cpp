@@ -2,6 +2,7 @@
 
 #include "Second_order_number.h"
 #include "delaunay_triangles.h"
+#include "dual_contouring.h"
 #include "marching_cubes.h"
 #include "tessellations.h"
 #include "test_functions.h"
@@ -97,7 +98,7 @@ void add_cubes(std::vector<Surface>& list,
                   [f](const Vector& p) { return exact_at(f, p); }});
 }
 
-/// by both variants of marching cubes
+/// by both variants of marching cubes, and by dual contouring
 void add_level_set(std::vector<Surface>& list,
                    const std::string& name,
                    double half,
@@ -107,6 +108,20 @@ void add_level_set(std::vector<Surface>& list,
   constexpr double of_thesis = 1e-7;
   add_cubes(list, name + " exact cubes", half, samples, f, Edge_crossing::EXACT, of_thesis);
   add_cubes(list, name + " original cubes", half, samples, f, Edge_crossing::LINEAR, of_thesis);
+  list.push_back({name + " dual contouring",
+                  [=](std::uint64_t)
+                  {
+                    return benchmark_support::dual_contouring(
+                        [&](const Vector& p) { return at(f, p).value; },
+                        [&](const Vector& p) { return at(f, p).gradient; }, {-half, -half, -half},
+                        {half, half, half}, std::size_t(samples));
+                  },
+                  [f](const Vector& p) { return exact_at(f, p); }});
+}
+
+bool is_dual(const Surface& surface)
+{
+  return surface.name.find("dual") != std::string::npos;
 }
 
 /// with all digits
@@ -293,23 +308,44 @@ void add_random_surfaces(std::vector<Surface>& list, double n, double m)
                   [=](const Number& x, const Number& y, const Number& z)
                   { return d.x * x + d.y * y + d.z * z + bells(x, y, z); });
   }
-  // corners of rounded boxes with wide sides
+  // parts of rounded boxes: what marching cubes interpolate wrongly is nothing on their sides, and much beside them
+  const auto rounded_box = [&](const bool is_sharp) -> Function
+  {
+    const double a = random.uniform(.8, 1.2), b = random.uniform(.8, 1.2);
+    return [=](const Number& x, const Number& y, const Number& z)
+    {
+      const Number xx = square(x), yy = square(y), zz = square(z);
+      return is_sharp ? a * xx * xx * xx + b * yy * yy * yy + zz * zz - 1.
+                      : a * xx * xx + b * yy * yy + zz * zz - 1.;
+    };
+  };
+  const auto add_part = [&](const std::string& of_box, const Function& box, double size, const Vector& middle)
+  {
+    add_level_set(list, of_box, 1., m,
+                  [=](const Number& x, const Number& y, const Number& z) {
+                    return box(1. / size * x + middle.x, 1. / size * y + middle.y, 1. / size * z + middle.z);
+                  });
+  };
   for(int k = 0; k < 14; ++k)
   {
-    const double size = length(1.1, 2.4), a = random.uniform(.8, 1.2), b = random.uniform(.8, 1.2);
-    Vector center;
+    const double size = length(1.1, 2.4);
+    Vector middle;
     for(std::size_t i = 0; i < 3; ++i)
-      center[i] = 1. - size - random.uniform(.1, .8);
-    const bool is_sharp = k % 3 == 2;
-    add_level_set(list, name("block", k), 1., m,
-                  [=](const Number& x, const Number& y, const Number& z)
-                  {
-                    const Number xx = square(1. / size * (x - center.x)),
-                                 yy = square(1. / size * (y - center.y)),
-                                 zz = square(1. / size * (z - center.z));
-                    return is_sharp ? a * xx * xx * xx + b * yy * yy * yy + zz * zz - 1.
-                                    : a * xx * xx + b * yy * yy + zz * zz - 1.;
-                  });
+      middle[i] = 1. - (1. - random.uniform(.1, .8)) / size;
+    add_part(name("block", k), rounded_box(k % 3 == 2), size, middle);
+  }
+  for(int k = 0; k < 18; ++k)
+  {
+    const double size = length(1.5, 6.);
+    const Function box = rounded_box(k % 3 == 2);
+    const Vector direction = random_direction(random);
+    double inside = 0., outside = 2.;
+    for(int step = 0; step < 50; ++step)
+    {
+      const double between = .5 * (inside + outside);
+      (at(box, between * direction).value < 0. ? inside : outside) = between;
+    }
+    add_part(name("side", k), box, size, inside * direction);
   }
 }
 
@@ -437,8 +473,9 @@ std::vector<Surface> calibration(double scale)
   }
   const std::size_t regular = list.size();
   add_random_surfaces(list, n, m);
-  for(std::size_t k = regular; k < list.size(); ++k)
-    list[k].is_one_of_many = true;
+  // the many are tried in a third of the conditions, and so is dual contouring
+  for(std::size_t k = 0; k < list.size(); ++k)
+    list[k].one_in = (k < regular ? 1 : 3) * (is_dual(list[k]) ? 3 : 1);
   return list;
 }
 
@@ -481,6 +518,8 @@ std::vector<Surface> validation(double scale)
   add_level_set(list, "pass", 1., m,
                 [](const Number& x, const Number& y, const Number& z)
                 { return .9 * z + .3 * x - .2 * y + .25 * x * x - .3 * y * y + .1 * x * y * z; });
+  for(Surface& surface : list)
+    surface.is_noise_added = !is_dual(surface);
   return list;
 }
 
@@ -526,6 +565,15 @@ std::vector<Surface> tables(double scale)
                             f, samples, is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
                       },
                       [f](const Vector& p) { return f.exact(p); }, f.name == "f1i" && is_exact});
+  for(const benchmark_support::Implicit_function& f : benchmark_support::implicit_functions())
+    list.push_back({f.name + " dual contouring",
+                    [=](std::uint64_t)
+                    {
+                      return benchmark_support::dual_contouring(f.value, f.gradient,
+                                                                {-f.half, -f.half, -f.half},
+                                                                {f.half, f.half, f.half}, samples);
+                    },
+                    [f](const Vector& p) { return f.exact(p); }, false});
   return list;
 }
 

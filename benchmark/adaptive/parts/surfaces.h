@@ -28,8 +28,8 @@ struct Surface
   std::string name;
   std::function<benchmark_support::Triangle_arrays(std::uint64_t seed)> mesh;
   std::function<benchmark_support::Exact_curvature(const benchmark_support::Vector&)> exact;
-  bool is_noise_added = true;  ///< in the experiments with noise
-  bool is_one_of_many = false; ///< tried in a third of the conditions
+  bool is_noise_added = true; ///< in the experiments with noise
+  std::size_t one_in = 1;     ///< of how many conditions it is tried in one, for calibration
 };
 
 /// The surfaces for a purpose. `scale`: of the number of vertices, 1 for that of the published figures.
