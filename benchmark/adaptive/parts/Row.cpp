@@ -158,6 +158,7 @@ std::vector<Experiment> experiments(Purpose purpose, double scale, const std::st
   for(const bool is_coarse : {false, true})
   {
     std::size_t number = 0; // of the surface and conditions, in all
+    benchmark_support::Random random(1);
     if(is_coarse && !calibrates)
       break;
     for(const Surface& surface : surfaces(purpose, (is_coarse ? .3 : 1.) * scale))
@@ -168,7 +169,8 @@ std::vector<Experiment> experiments(Purpose purpose, double scale, const std::st
       for(const Conditions& c : conditions(surface, purpose))
       {
         ++number;
-        if(!calibrates || (number % surface.one_in == 0 && ((number % 2 == 0) == is_coarse || is_clean(c))))
+        const bool is_tried = random.uniform() < surface.share;
+        if(!calibrates || (is_tried && ((number % 2 == 0) == is_coarse || is_clean(c))))
           list.push_back({surface, c});
       }
     }

@@ -473,9 +473,9 @@ std::vector<Surface> calibration(double scale)
   }
   const std::size_t regular = list.size();
   add_random_surfaces(list, n, m);
-  // the many are tried in a third of the conditions, and so is dual contouring
+  // the many are tried in a third of the conditions, and dual contouring is in half of those of the others
   for(std::size_t k = 0; k < list.size(); ++k)
-    list[k].one_in = (k < regular ? 1 : 3) * (is_dual(list[k]) ? 3 : 1);
+    list[k].share = (k < regular ? 1. : 1. / 3.) * (is_dual(list[k]) ? .5 : 1.);
   return list;
 }
 

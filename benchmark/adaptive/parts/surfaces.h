@@ -29,7 +29,7 @@ struct Surface
   std::function<benchmark_support::Triangle_arrays(std::uint64_t seed)> mesh;
   std::function<benchmark_support::Exact_curvature(const benchmark_support::Vector&)> exact;
   bool is_noise_added = true; ///< in the experiments with noise
-  std::size_t one_in = 1;     ///< of how many conditions it is tried in one, for calibration
+  double share = 1.;          ///< of the conditions, in which it is tried for calibration: at random
 };
 
 /// The surfaces for a purpose. `scale`: of the number of vertices, 1 for that of the published figures.
