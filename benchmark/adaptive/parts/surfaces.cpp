@@ -9,6 +9,7 @@
 
 #include <CGAL/number_type_config.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -33,7 +34,7 @@ Exact_curvature exact_at(const Function& f, const Vector& p)
   return exact_curvature(n.gradient, n.hessian);
 }
 
-/// z = f(x, y) over [-half, half]^2, by random points or a grid
+/// z = f(x, y) over [-half, half]^2, by random points, a grid, or one whose triangles are long
 void add_graph(std::vector<Surface>& list,
                const std::string& name,
                double half,
@@ -58,25 +59,32 @@ void add_graph(std::vector<Surface>& list,
                     return mesh;
                   },
                   exact});
-  list.push_back({name + " grid",
-                  [=](std::uint64_t)
-                  {
-                    const auto n = std::size_t(std::sqrt(points));
-                    const double step = 2. * half / double(n - 1);
-                    Triangle_arrays mesh;
-                    for(std::size_t i = 0; i < n * n; ++i)
-                      mesh.points.push_back(
-                          point(-half + step * double(i % n), -half + step * double(i / n)));
-                    for(std::size_t i = 0; i + 1 < n; ++i)
-                      for(std::size_t j = 0; j + 1 < n; ++j)
-                      {
-                        const std::size_t a = i * n + j, b = a + n;
-                        mesh.triangles.push_back({a, a + 1, b + 1});
-                        mesh.triangles.push_back({a, b + 1, b});
-                      }
-                    return mesh;
-                  },
-                  exact});
+  const auto add_grid = [&](const std::string& kind, double aspect)
+  {
+    list.push_back({name + kind,
+                    [=](std::uint64_t)
+                    {
+                      const auto columns = std::size_t(std::sqrt(points * aspect)),
+                                 rows = std::size_t(std::sqrt(points / aspect));
+                      const double width = 2. * half / double(columns - 1),
+                                   height = 2. * half / double(rows - 1);
+                      Triangle_arrays mesh;
+                      for(std::size_t i = 0; i < columns * rows; ++i)
+                        mesh.points.push_back(
+                            point(-half + width * double(i % columns), -half + height * double(i / columns)));
+                      for(std::size_t i = 0; i + 1 < rows; ++i)
+                        for(std::size_t j = 0; j + 1 < columns; ++j)
+                        {
+                          const std::size_t a = i * columns + j, b = a + columns;
+                          mesh.triangles.push_back({a, a + 1, b + 1});
+                          mesh.triangles.push_back({a, b + 1, b});
+                        }
+                      return mesh;
+                    },
+                    exact});
+  };
+  add_grid(" grid", 1.);
+  add_grid(" stretched grid", double(2 + list.size() % 7));
 }
 
 /// F(x, y, z) = 0, outside where it is positive, by marching cubes; `tolerance`: of F, if the crossing is exact
@@ -122,6 +130,11 @@ void add_level_set(std::vector<Surface>& list,
 bool is_dual(const Surface& surface)
 {
   return surface.name.find("dual") != std::string::npos;
+}
+
+bool is_stretched(const Surface& surface)
+{
+  return surface.name.find("stretched") != std::string::npos;
 }
 
 /// with all digits
@@ -473,9 +486,11 @@ std::vector<Surface> calibration(double scale)
   }
   const std::size_t regular = list.size();
   add_random_surfaces(list, n, m);
-  // the many are tried in a third of the conditions, and dual contouring is in half of those of the others
+  // the many are tried in a third of the conditions, and these two tessellations in half of those of the others
   for(std::size_t k = 0; k < list.size(); ++k)
-    list[k].share = (k < regular ? 1. : 1. / 3.) * (is_dual(list[k]) ? .5 : 1.);
+    list[k].share = (k < regular ? 1. : 1. / 3.) * (is_dual(list[k]) || is_stretched(list[k]) ? .5 : 1.);
+  std::stable_partition(list.begin(), list.end(),
+                        [](const Surface& surface) { return !is_stretched(surface); });
   return list;
 }
 
@@ -519,7 +534,7 @@ std::vector<Surface> validation(double scale)
                 [](const Number& x, const Number& y, const Number& z)
                 { return .9 * z + .3 * x - .2 * y + .25 * x * x - .3 * y * y + .1 * x * y * z; });
   for(Surface& surface : list)
-    surface.is_noise_added = !is_dual(surface);
+    surface.is_noise_added = !is_dual(surface) && !is_stretched(surface);
   return list;
 }
 
