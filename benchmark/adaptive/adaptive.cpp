@@ -6,18 +6,16 @@
 #include "parts/Score_learner.h"
 
 #include <Shape_characteristics/curvature/Adaptive_estimator_choice.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
 
-#include <CGAL/for_each.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -139,19 +137,19 @@ std::vector<Calibration_row> measure_rows(double scale)
   measurements.records = true;
   const std::vector<Experiment> list = experiments(Purpose::CALIBRATION, scale, "");
   std::vector<Calibration_row> rows(list.size());
-  std::vector<std::size_t> numbers(list.size());
-  std::iota(numbers.begin(), numbers.end(), std::size_t(0));
-  std::atomic<std::size_t> measured(0);
-  CGAL::for_each<CGAL::Parallel_if_available_tag>(
-      numbers,
-      [&](const std::size_t k)
+  Shape_characteristics::for_each_sample<CGAL::Parallel_if_available_tag,
+                                         Shape_characteristics::No_workspace>(
+      list.size(),
+      [&](const std::size_t k, Shape_characteristics::No_workspace&)
+      { rows[k] = calibration_row(measure(list[k], 1, measurements), vertices); },
+      [&](const double advancement)
       {
-        rows[k] = calibration_row(measure(list[k], 1, measurements), vertices);
-        if(const std::size_t yet = ++measured; yet % 100 == 0 || yet == list.size())
-          std::cout << std::to_string(yet) + " of " + std::to_string(list.size()) + " rows measured\n"
-                    << std::flush;
+        const auto measured = std::size_t(std::lround(advancement * double(list.size())));
+        if(measured % 100 == 0 || measured == list.size())
+          std::cout << measured << " of " << list.size() << " rows measured" << std::endl;
         return true;
-      });
+      },
+      1);
   return rows;
 }
 

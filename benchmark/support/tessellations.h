@@ -4,6 +4,7 @@
 #include "Random.h"
 #include "Triangle_arrays.h"
 #include "delaunay_triangles.h"
+#include "dual_contouring.h"
 #include "marching_cubes.h"
 #include "test_functions.h"
 
@@ -56,22 +57,29 @@ inline Triangle_arrays random_tessellation(const Explicit_function& f,
   return mesh;
 }
 
-/// `per_axis`^2 points of the graph on a uniform grid over its square, all diagonals in the same direction.
-inline Triangle_arrays grid_tessellation(const Explicit_function& f, std::size_t per_axis)
+/// `columns` by `rows` points `point(x, y)` over the square [-half, half]^2, all diagonals in the same direction.
+template <typename Point>
+Triangle_arrays grid(double half, std::size_t columns, std::size_t rows, const Point& point)
 {
   Triangle_arrays mesh;
-  const double step = 2. * f.half / double(per_axis - 1);
-  for(std::size_t i = 0; i < per_axis; ++i)
-    for(std::size_t j = 0; j < per_axis; ++j)
-      mesh.points.push_back(f.point(-f.half + step * double(j), -f.half + step * double(i)));
-  for(std::size_t i = 0; i + 1 < per_axis; ++i)
-    for(std::size_t j = 0; j + 1 < per_axis; ++j)
+  const double width = 2. * half / double(columns - 1), height = 2. * half / double(rows - 1);
+  for(std::size_t i = 0; i < rows; ++i)
+    for(std::size_t j = 0; j < columns; ++j)
+      mesh.points.push_back(point(-half + width * double(j), -half + height * double(i)));
+  for(std::size_t i = 0; i + 1 < rows; ++i)
+    for(std::size_t j = 0; j + 1 < columns; ++j)
     {
-      const std::size_t a = i * per_axis + j, b = a + per_axis;
+      const std::size_t a = i * columns + j, b = a + columns;
       mesh.triangles.push_back({a, a + 1, b + 1});
       mesh.triangles.push_back({a, b + 1, b});
     }
   return mesh;
+}
+
+/// `per_axis`^2 points of the graph on a uniform grid over its square.
+inline Triangle_arrays grid_tessellation(const Explicit_function& f, std::size_t per_axis)
+{
+  return grid(f.half, per_axis, per_axis, [&](double x, double y) { return f.point(x, y); });
 }
 
 /// Marching cubes in the function's box on a grid of `samples`^3 points.
@@ -79,6 +87,12 @@ inline Triangle_arrays
 marching_cubes_tessellation(const Implicit_function& f, std::size_t samples, Edge_crossing crossing)
 {
   return marching_cubes(f.value, {-f.half, -f.half, -f.half}, {f.half, f.half, f.half}, samples, crossing);
+}
+
+/// Dual contouring in the function's box on a grid of `samples`^3 points.
+inline Triangle_arrays dual_contouring_tessellation(const Implicit_function& f, std::size_t samples)
+{
+  return dual_contouring(f.value, f.gradient, {-f.half, -f.half, -f.half}, {f.half, f.half, f.half}, samples);
 }
 
 /// Mean length of the edges, each counted once.

@@ -1,7 +1,6 @@
 #include "Sample.h"
 
 #include "build_face_graph.h"
-#include "dual_contouring.h"
 #include "tessellations.h"
 #include "test_functions.h"
 
@@ -36,8 +35,7 @@ Triangle_arrays tessellate(const benchmark_support::Implicit_function& f,
 {
   using benchmark_support::Edge_crossing;
   if(tessellation == Tessellation::DUAL_CONTOURING)
-    return benchmark_support::dual_contouring(f.value, f.gradient, {-f.half, -f.half, -f.half},
-                                              {f.half, f.half, f.half}, resolution.grid);
+    return benchmark_support::dual_contouring_tessellation(f, resolution.grid);
   return benchmark_support::marching_cubes_tessellation(
       f, resolution.grid,
       tessellation == Tessellation::MARCHING_CUBES_ORIGINAL ? Edge_crossing::LINEAR : Edge_crossing::EXACT);

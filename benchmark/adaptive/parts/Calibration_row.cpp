@@ -40,10 +40,7 @@ constexpr std::uint64_t heading = number_of_statistics * 1000 + number_of_candid
 Calibration_row calibration_row(const Row& row, std::size_t at_most)
 {
   Calibration_row result;
-  result.group = row.surface.substr(0, row.surface.find(" random"));
-  for(const char* tessellation :
-      {" stretched grid", " grid", " exact cubes", " original cubes", " dual contouring"})
-    result.group = result.group.substr(0, result.group.find(tessellation));
+  result.group = row.shape;
   const std::size_t step = (std::max)(row.vertices.size() / at_most, std::size_t(1));
   for(std::size_t k = 0; k < row.vertices.size(); k += step)
     if(has_estimate(row.vertices[k]))

@@ -12,7 +12,7 @@ namespace adaptive {
 /// A row with some of its vertices.
 struct Calibration_row
 {
-  std::string group; ///< the surface: rows of one never judge what was learned from others of it
+  std::string group; ///< the shape: rows of one never judge what was learned from others of it
   double best_error; ///< mean error of the candidate that is best for these vertices
   std::vector<Vertex_record> vertices;
 };

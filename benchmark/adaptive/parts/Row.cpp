@@ -151,26 +151,31 @@ double mean_error(const Mesh& mesh, const Estimates& estimates, const std::vecto
 std::vector<Experiment> experiments(Purpose purpose, double scale, const std::string& only)
 {
   std::vector<Experiment> list;
+  const auto is_asked_for = [&](const Surface& surface)
+  { return surface.name().find(only) != std::string::npos; };
+  if(purpose != Purpose::CALIBRATION)
+  {
+    for(const Surface& surface : surfaces(purpose, scale))
+      if(is_asked_for(surface))
+        for(const Conditions& c : conditions(surface, purpose))
+          list.push_back({surface, c});
+    return list;
+  }
+  // There are many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which look
+  // otherwise.
   const auto is_clean = [](const Conditions& c) { return c.point_noise == 0. && c.normal_noise == 0.; };
-  // Calibration has many surfaces: half of the noisy conditions on each are enough, and the others on coarser samples of it, which
-  // look otherwise.
-  const bool calibrates = purpose == Purpose::CALIBRATION;
   for(const bool is_coarse : {false, true})
   {
     std::size_t number = 0; // of the surface and conditions, in all
     benchmark_support::Random random(1);
-    if(is_coarse && !calibrates)
-      break;
     for(const Surface& surface : surfaces(purpose, (is_coarse ? .3 : 1.) * scale))
     {
       ++number;
-      if(surface.name.find(only) == std::string::npos)
-        continue;
       for(const Conditions& c : conditions(surface, purpose))
       {
         ++number;
         const bool is_tried = random.uniform() < surface.share;
-        if(!calibrates || (is_tried && ((number % 2 == 0) == is_coarse || is_clean(c))))
+        if(is_asked_for(surface) && is_tried && ((number % 2 == 0) == is_coarse || is_clean(c)))
           list.push_back({surface, c});
       }
     }
@@ -180,18 +185,19 @@ std::vector<Experiment> experiments(Purpose purpose, double scale, const std::st
 
 Row measure(const Experiment& experiment, std::uint64_t seed, const Measurements& measurements)
 {
-  const Conditions& conditions = experiment.conditions;
+  const Conditions& given = experiment.conditions;
   Triangle_arrays arrays = experiment.surface.mesh(seed);
   std::vector<Exact_curvature> exact;
   for(const Vector& p : arrays.points)
     exact.push_back(experiment.surface.exact(p));
-  if(conditions.point_noise > 0.)
-    add_noise(arrays, benchmark_support::Noise::GAUSSIAN, conditions.point_noise, seed + 6);
+  if(given.point_noise > 0.)
+    add_noise(arrays, benchmark_support::Noise::GAUSSIAN, given.point_noise, seed + 6);
   Mesh mesh = benchmark_support::build_face_graph<Mesh>(arrays.points, arrays.triangles);
-  const Normal_map normals = make_normals(mesh, exact, conditions);
+  const Normal_map normals = make_normals(mesh, exact, given);
   Row row;
-  row.surface = experiment.surface.name;
-  row.conditions = conditions;
+  row.surface = experiment.surface.name();
+  row.shape = experiment.surface.shape;
+  row.conditions = given;
   if(measurements.records)
     add_records(mesh, normals, exact, row);
   const auto estimate = [&](const bool fits_are_shared, double& mae, double& seconds)

@@ -60,7 +60,8 @@ double mean_error(const std::vector<Vertex_record>& vertices, std::size_t candid
 /// What comes of an experiment: a row of a table.
 struct Row
 {
-  std::string surface;
+  std::string surface; ///< its name
+  std::string shape;   ///< of the surface
   Conditions conditions;
   std::vector<Vertex_record> vertices;
   std::vector<double> mean_errors; ///< of the candidates, over all vertices, where there is an estimate

@@ -2,7 +2,8 @@
 
 #include "Random.h"
 
-#include <CGAL/for_each.h>
+#include <Shape_characteristics/sampling/for_each_sample.h>
+
 #include <CGAL/number_type_config.h>
 #include <CGAL/tags.h>
 
@@ -13,7 +14,6 @@
 #include <cstdio>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -254,17 +254,16 @@ private:
   {
     constexpr std::size_t number = 8;
     constexpr float shrinkage = 3e-4f;
-    std::vector<std::size_t> chunks(number);
-    std::iota(chunks.begin(), chunks.end(), std::size_t(0));
     std::vector<Net> gradients(number, Net::zero());
-    CGAL::for_each<CGAL::Parallel_if_available_tag>(
-        chunks,
-        [&](const std::size_t chunk)
+    Shape_characteristics::for_each_sample<CGAL::Parallel_if_available_tag,
+                                           Shape_characteristics::No_workspace>(
+        number,
+        [&](const std::size_t chunk, Shape_characteristics::No_workspace&)
         {
           for(std::size_t k = begin + chunk; k < end; k += number)
             add_gradient(m_data[order[k]], net, 1.f / float(end - begin), gradients[chunk]);
-          return true;
-        });
+        },
+        {}, 1);
     Net sum = Net::zero();
     for(const Net& gradient : gradients)
       sum += gradient;

@@ -23,6 +23,10 @@ using benchmark_support::Triangle_arrays;
 using benchmark_support::Vector;
 using Function = std::function<Number(const Number&, const Number&, const Number&)>;
 
+// tessellations that are tried in fewer conditions
+const char* const stretched = "stretched grid";
+const char* const dual = "dual contouring";
+
 Number at(const Function& f, const Vector& p)
 {
   return f(Number::coordinate(p.x, 0), Number::coordinate(p.y, 1), Number::coordinate(p.z, 2));
@@ -45,7 +49,7 @@ void add_graph(std::vector<Surface>& list,
   const auto point = [f](double x, double y) { return Vector{x, y, f(Number(x), Number(y)).value}; };
   const auto exact = [level](const Vector& p) { return exact_at(level, p); };
   const auto count = std::size_t(points);
-  list.push_back({name + " random",
+  list.push_back({name, "random",
                   [=](std::uint64_t seed)
                   {
                     benchmark_support::Random random(seed);
@@ -59,44 +63,31 @@ void add_graph(std::vector<Surface>& list,
                     return mesh;
                   },
                   exact});
-  const auto add_grid = [&](const std::string& kind, double aspect)
+  const auto add_grid = [&](const std::string& tessellation, double aspect)
   {
-    list.push_back({name + kind,
+    list.push_back({name, tessellation,
                     [=](std::uint64_t)
                     {
-                      const auto columns = std::size_t(std::sqrt(points * aspect)),
-                                 rows = std::size_t(std::sqrt(points / aspect));
-                      const double width = 2. * half / double(columns - 1),
-                                   height = 2. * half / double(rows - 1);
-                      Triangle_arrays mesh;
-                      for(std::size_t i = 0; i < columns * rows; ++i)
-                        mesh.points.push_back(
-                            point(-half + width * double(i % columns), -half + height * double(i / columns)));
-                      for(std::size_t i = 0; i + 1 < rows; ++i)
-                        for(std::size_t j = 0; j + 1 < columns; ++j)
-                        {
-                          const std::size_t a = i * columns + j, b = a + columns;
-                          mesh.triangles.push_back({a, a + 1, b + 1});
-                          mesh.triangles.push_back({a, b + 1, b});
-                        }
-                      return mesh;
+                      return benchmark_support::grid(half, std::size_t(std::sqrt(points * aspect)),
+                                                     std::size_t(std::sqrt(points / aspect)), point);
                     },
                     exact});
   };
-  add_grid(" grid", 1.);
-  add_grid(" stretched grid", double(2 + list.size() % 7));
+  add_grid("grid", 1.);
+  add_grid(stretched, double(2 + list.size() % 7));
 }
 
 /// F(x, y, z) = 0, outside where it is positive, by marching cubes; `tolerance`: of F, if the crossing is exact
 void add_cubes(std::vector<Surface>& list,
                const std::string& name,
+               const std::string& tessellation,
                double half,
                double samples,
                const Function& f,
                Edge_crossing crossing,
                double tolerance)
 {
-  list.push_back({name,
+  list.push_back({name, tessellation,
                   [=](std::uint64_t)
                   {
                     return benchmark_support::marching_cubes(
@@ -114,9 +105,9 @@ void add_level_set(std::vector<Surface>& list,
                    const Function& f)
 {
   constexpr double of_thesis = 1e-7;
-  add_cubes(list, name + " exact cubes", half, samples, f, Edge_crossing::EXACT, of_thesis);
-  add_cubes(list, name + " original cubes", half, samples, f, Edge_crossing::LINEAR, of_thesis);
-  list.push_back({name + " dual contouring",
+  add_cubes(list, name, "exact cubes", half, samples, f, Edge_crossing::EXACT, of_thesis);
+  add_cubes(list, name, "original cubes", half, samples, f, Edge_crossing::LINEAR, of_thesis);
+  list.push_back({name, dual,
                   [=](std::uint64_t)
                   {
                     return benchmark_support::dual_contouring(
@@ -129,12 +120,12 @@ void add_level_set(std::vector<Surface>& list,
 
 bool is_dual(const Surface& surface)
 {
-  return surface.name.find("dual") != std::string::npos;
+  return surface.tessellation == dual;
 }
 
 bool is_stretched(const Surface& surface)
 {
-  return surface.name.find("stretched") != std::string::npos;
+  return surface.tessellation == stretched;
 }
 
 /// with all digits
@@ -144,7 +135,7 @@ void add_shape(std::vector<Surface>& list,
                double samples,
                const Function& f)
 {
-  add_cubes(list, name, half, samples, f, Edge_crossing::EXACT, 0.);
+  add_cubes(list, name, "", half, samples, f, Edge_crossing::EXACT, 0.);
 }
 
 Vector random_direction(benchmark_support::Random& random)
@@ -489,6 +480,7 @@ std::vector<Surface> calibration(double scale)
   // the many are tried in a third of the conditions, and these two tessellations in half of those of the others
   for(std::size_t k = 0; k < list.size(); ++k)
     list[k].share = (k < regular ? 1. : 1. / 3.) * (is_dual(list[k]) || is_stretched(list[k]) ? .5 : 1.);
+  // the last ones, so that the conditions of the others, which are random, are the same with or without them
   std::stable_partition(list.begin(), list.end(),
                         [](const Surface& surface) { return !is_stretched(surface); });
   return list;
@@ -565,7 +557,7 @@ std::vector<Surface> tables(double scale)
   const auto samples = std::size_t(128. * std::sqrt(scale));
   for(const bool is_random : {true, false})
     for(const benchmark_support::Explicit_function& f : benchmark_support::explicit_functions())
-      list.push_back({f.name + (is_random ? " random" : " grid"),
+      list.push_back({f.name, is_random ? "random" : "grid",
                       [=](std::uint64_t seed)
                       {
                         return is_random ? random_tessellation(f, points, seed)
@@ -574,20 +566,16 @@ std::vector<Surface> tables(double scale)
                       [f](const Vector& p) { return f.exact(p.x, p.y); }, is_random});
   for(const bool is_exact : {true, false})
     for(const benchmark_support::Implicit_function& f : benchmark_support::implicit_functions())
-      list.push_back({f.name + (is_exact ? " exact cubes" : " original cubes"),
+      list.push_back({f.name, is_exact ? "exact cubes" : "original cubes",
                       [=](std::uint64_t) {
                         return marching_cubes_tessellation(
                             f, samples, is_exact ? Edge_crossing::EXACT : Edge_crossing::LINEAR);
                       },
                       [f](const Vector& p) { return f.exact(p); }, f.name == "f1i" && is_exact});
   for(const benchmark_support::Implicit_function& f : benchmark_support::implicit_functions())
-    list.push_back({f.name + " dual contouring",
+    list.push_back({f.name, dual,
                     [=](std::uint64_t)
-                    {
-                      return benchmark_support::dual_contouring(f.value, f.gradient,
-                                                                {-f.half, -f.half, -f.half},
-                                                                {f.half, f.half, f.half}, samples);
-                    },
+                    { return benchmark_support::dual_contouring_tessellation(f, samples); },
                     [f](const Vector& p) { return f.exact(p); }, false});
   return list;
 }

@@ -25,11 +25,14 @@ enum class Purpose
 /// A tessellated surface that knows the truth.
 struct Surface
 {
-  std::string name;
+  std::string shape;
+  std::string tessellation; ///< empty, if there is only one of the shape
   std::function<benchmark_support::Triangle_arrays(std::uint64_t seed)> mesh;
   std::function<benchmark_support::Exact_curvature(const benchmark_support::Vector&)> exact;
   bool is_noise_added = true; ///< in the experiments with noise
   double share = 1.;          ///< of the conditions, in which it is tried for calibration: at random
+
+  std::string name() const { return tessellation.empty() ? shape : shape + " " + tessellation; }
 };
 
 /// The surfaces for a purpose. `scale`: of the number of vertices, 1 for that of the published figures.
