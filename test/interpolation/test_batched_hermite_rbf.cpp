@@ -598,8 +598,11 @@ BOOST_AUTO_TEST_CASE(likelihoods_agree_with_plain_ones)
                                     expected_of(probes[k], levels.back(), normal_levels.back());
             const double found =
                 results[n][k * levels.size() + e] - results.back()[(k + 1) * levels.size() - 1];
-            // many neighbors and little noise, most of all of both, magnify rounding
-            const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : n == 0 ? 1e-5 : 1e-6;
+            // many neighbors and little noise magnify rounding: of the points, or less of them and of the normals
+            const bool both_are_little = neighbors > 18 && levels[e] < 1e-3 && n == 0;
+            const double tolerance = neighbors > 9 && levels[e] < 1e-5 ? 1e-4 : both_are_little ? 1e-5 : 1e-6;
+            BOOST_TEST_CONTEXT(neighbors << " neighbors, " << levels[e] << ", of normals "
+                                         << normal_levels[n])
             BOOST_TEST(std::abs(found - expected) < tolerance * (1. + std::abs(expected)));
           }
       BOOST_TEST(workspace.neighborhood.points.size() == neighbors + 1);
