@@ -48,6 +48,20 @@ Result run_on_points(const Hrbf<Extend>& estimator, const test_support::Numbered
                           { return estimator.template all<CGAL::Sequential_tag>(numbers, np); });
 }
 
+// the largest, of what `run` estimates on a surface
+template <typename Run>
+double change_when_scaled(const Analytic_surface& s, const Run& run)
+{
+  const Result original = run(s);
+  double largest = 0.;
+  for(const double scale : {1e-6, 1e6, 3.})
+    test_support::raise_to(
+        largest, difference(s, original,
+                            run(transformed(s, scale, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero())),
+                            scale, Eigen::Matrix3d::Identity()));
+  return largest;
+}
+
 } // namespace
 
 // The systems are nearly singular (that is why they are accurate). Factors that are powers of two have no rounding errors, see below.
@@ -92,27 +106,44 @@ BOOST_AUTO_TEST_CASE(scale_of_open_point_sets)
       for(const std::size_t neighbors : {18, 36})
         for(const bool are_exact : {true, false})
         {
-          const auto run = [&](const Analytic_surface& surface)
-          {
-            return run_on_points(Hrbf{[&](const auto& np) {
-                                   return np.number_of_neighbors(neighbors).normals_are_exact(are_exact);
-                                 }},
-                                 test_support::Numbered_points(surface));
-          };
-          const Result original = run(s);
-          double largest = 0.;
-          for(const double scale : {1e-6, 1e6, 3.})
-            test_support::raise_to(largest, difference(s, original,
-                                                       run(transformed(s, scale, Eigen::Matrix3d::Identity(),
-                                                                       Eigen::Vector3d::Zero())),
-                                                       scale, Eigen::Matrix3d::Identity()));
+          const double largest = change_when_scaled(
+              s,
+              [&](const Analytic_surface& surface)
+              {
+                return run_on_points(Hrbf{[&](const auto& np) {
+                                       return np.number_of_neighbors(neighbors).normals_are_exact(are_exact);
+                                     }},
+                                     test_support::Numbered_points(surface));
+              });
           BOOST_TEST_MESSAGE(s.name << ", " << s.points.size() << " points, " << neighbors << " neighbors"
                                     << (are_exact ? ", exact" : "") << ": changed by " << largest);
           BOOST_TEST(largest < 1e-9);
         }
 }
 
-// to the last bit
+// Over rings, weights are as large in places, and only the largest are found with more digits.
+BOOST_AUTO_TEST_CASE(scale_of_rings)
+{
+  double largest[2] = {0., 0.};
+  for(const std::size_t n : {16, 40})
+    for(const Analytic_surface& s :
+        {test_support::waves(.1, 4., 1., n, .2, 3), test_support::monkey_saddle(.5, n, .2, 3)})
+      for(const unsigned int rings : {2u, 3u})
+        for(const bool are_exact : {true, false})
+        {
+          const Hrbf estimator{[&](const auto& np)
+                               { return np.number_of_rings(rings).normals_are_exact(are_exact); }};
+          const double change = change_when_scaled(
+              s, [&](const Analytic_surface& surface)
+              { return run(estimator, surface, are_exact ? Normals::EXACT : Normals::ESTIMATED); });
+          BOOST_TEST_MESSAGE(s.name << ", " << s.points.size() << " points, " << rings << " rings"
+                                    << (are_exact ? ", exact" : "") << ": changed by " << change);
+          test_support::raise_to(largest[are_exact], change);
+        }
+  BOOST_TEST(largest[false] < 1e-8);
+  BOOST_TEST(largest[true] < 5e-8);
+}
+
 // The neighbors of a border vertex are on one side. Two rings of them are few; so rings grow there.
 BOOST_AUTO_TEST_CASE(borders)
 {
@@ -135,6 +166,7 @@ BOOST_AUTO_TEST_CASE(borders)
   }
 }
 
+// to the last bit
 BOOST_AUTO_TEST_CASE(powers_of_two)
 {
   const auto check = [](const auto& estimator, Normals normals)

@@ -26,6 +26,9 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/tags.h>
 
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <boost/multiprecision/eigen.hpp>
+
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 
@@ -221,19 +224,22 @@ double error_of_remainders(const RadialBasisFunction& phi, const Exact& exact)
 
 // phi and its radial derivatives A, B, C of the inverse multiquadric or Matern function of shape parameter 1, times what makes A -1 at
 // the origin
-template <bool is_multiquadric>
-std::array<long double, 4> radial(long double q)
+template <bool is_multiquadric, typename Number>
+std::array<Number, 4> radial(const Number& q)
 {
+  using std::exp;
+  using std::sqrt;
   if constexpr(is_multiquadric)
   {
-    const long double square = 1 / (1 + q), phi = std::sqrt(square);
-    return {phi, -phi * square, 3 * phi * square * square, -15 * phi * square * square * square};
+    const Number square = 1 / (1 + q), phi = sqrt(square), cube = phi * square;
+    return {phi, -cube, 3 * cube * square, -15 * cube * square * square};
   }
   else
   {
-    const long double a = std::sqrt(q), e = std::exp(-a);
-    return {(7 + a * (7 + a * (3 + a * (2.L / 3 + a / 15)))) * e, -(1 + a * (1 + a * (2.L / 5 + a / 15))) * e,
-            (1 + a * (1 + a / 3)) / 5 * e, -(1 + a) / 15 * e};
+    const Number a = sqrt(q), e = exp(-a);
+    return {(7 + a * (7 + a * (3 + a * (Number(2) / 3 + a / 15)))) * e,
+            -(1 + a * (1 + a * (Number(2) / 5 + a / 15))) * e, (1 + a * (1 + a / 3)) / 5 * e,
+            -(1 + a) / 15 * e};
   }
 }
 
@@ -244,9 +250,10 @@ SC::Local_implicit_surface with_more_digits(const Face_graph_samples& samples,
                                             const SC::Local_implicit_surface& found,
                                             int failures)
 {
-  using Number = long double;
+  using Number = boost::multiprecision::cpp_bin_float_quad;
   using Vector = Eigen::Matrix<Number, 3, 1>;
   using Matrix = Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic>;
+  using Weights = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
   internal::Scaled_neighborhood neighborhood;
   Face_graph_samples::Workspace workspace;
   neighborhood.collect_evenly(samples, i, workspace,
@@ -269,17 +276,20 @@ SC::Local_implicit_surface with_more_digits(const Face_graph_samples& samples,
 
   struct Equation
   {
-    Vector point, direction; // zero: the value
+    std::size_t center;
+    Vector direction; // zero: the value
   };
+  std::vector<Vector> points;
   std::vector<Equation> equations;
   std::vector<Number> data;
   for(std::size_t k = 0; k < m; ++k)
   {
-    const Eigen::Vector3d &point = neighborhood.points[k], &normal = neighborhood.normals[k];
-    const internal::Hermite_jet jet = trend(point);
+    const Eigen::Vector3d& normal = neighborhood.normals[k];
+    const internal::Hermite_jet jet = trend(neighborhood.points[k]);
+    points.push_back(Number(unit) * neighborhood.points[k].cast<Number>());
     const auto add = [&](const Eigen::Vector3d& direction, const double value)
     {
-      equations.push_back({Number(unit) * point.cast<Number>(), direction.cast<Number>()});
+      equations.push_back({k, direction.cast<Number>()});
       data.push_back(value);
     };
     add(Eigen::Vector3d::Zero(), -unit * jet.value);
@@ -300,13 +310,17 @@ SC::Local_implicit_surface with_more_digits(const Face_graph_samples& samples,
   }
   const auto is_value = [](const Equation& e) { return e.direction.isZero(0); };
   const auto size = Eigen::Index(equations.size());
+  std::vector<std::array<Number, 4> > functions; // from center to center
+  for(const Vector& p : points)
+    for(const Vector& q : points)
+      functions.push_back(radial<exact>(Number((p - q).squaredNorm())));
   Matrix matrix(size, size);
   for(Eigen::Index r = 0; r < size; ++r)
     for(Eigen::Index c = 0; c < size; ++c)
     {
       const Equation &e = equations[std::size_t(r)], &f = equations[std::size_t(c)];
-      const Vector d = e.point - f.point;
-      const auto [phi, A, B, C] = radial<exact>(d.squaredNorm());
+      const Vector d = points[e.center] - points[f.center];
+      const auto& [phi, A, B, C] = functions[e.center * m + f.center];
       matrix(r, c) = is_value(e) ? (is_value(f) ? phi : -A * f.direction.dot(d))
                      : is_value(f)
                          ? A * e.direction.dot(d)
@@ -314,17 +328,26 @@ SC::Local_implicit_surface with_more_digits(const Face_graph_samples& samples,
       if(r == c)
         matrix(r, c) += is_value(e) ? value_noise : derivative_noise;
     }
-  const Eigen::Matrix<Number, Eigen::Dynamic, 1> weights =
-      matrix.ldlt().solve(Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>>(data.data(), size));
+  // solved in long double, and corrected: each time, the error is some 1e-7 of what it was
+  const auto factor = matrix.template cast<long double>().eval().ldlt();
+  const Weights known = Eigen::Map<const Weights>(data.data(), size);
+  Weights weights = Weights::Zero(size);
+  for(int step = 0; step < 3; ++step)
+  {
+    const Weights remainder = known - matrix * weights;
+    weights += factor.solve(remainder.template cast<long double>().eval()).template cast<Number>();
+  }
 
-  const Eigen::Vector3d x = neighborhood.scaling(found.displacement) / neighborhood.scale;
+  Eigen::Vector3d x = neighborhood.scaling(found.displacement) / neighborhood.scale;
+  if(internal::is_negligible(x))
+    x.setZero();
   Vector gradient = Vector::Zero();
   Eigen::Matrix<Number, 3, 3> hessian = Eigen::Matrix<Number, 3, 3>::Zero();
   for(Eigen::Index c = 0; c < size; ++c)
   {
     const Equation& f = equations[std::size_t(c)];
-    const Vector d = Number(unit) * x.cast<Number>() - f.point, b = weights[c] * f.direction;
-    const auto [phi, A, B, C] = radial<exact>(d.squaredNorm());
+    const Vector d = Number(unit) * x.cast<Number>() - points[f.center], b = weights[c] * f.direction;
+    const auto [phi, A, B, C] = radial<exact>(Number(d.squaredNorm()));
     const Number alpha = is_value(f) ? weights[c] : 0, s = b.dot(d);
     gradient += (alpha * A - B * s) * d - A * b;
     hessian += (alpha * B - C * s) * d * d.transpose() - B * (b * d.transpose() + d * b.transpose());
@@ -402,16 +425,16 @@ BOOST_AUTO_TEST_CASE(agrees_with_plain_fits)
       }
 }
 
-// Where weights are large, plain fits in double precision tell less. Of a Matern function, the last digits are another one's on lanes.
+// Where weights are large, plain fits in double precision tell less.
 BOOST_AUTO_TEST_CASE(agrees_with_fits_of_more_digits)
 {
-  const auto check = [](const std::size_t n, const unsigned int rings, const bool exact, const double bound)
+  const auto check = [](const std::size_t n, const unsigned int rings, const bool exact)
   {
     const Face_graph_samples samples = samples_of(test_support::waves(.1, 4., 1., n, .2, 3), rings);
     const auto found = exact ? batched(samples, SC::Inverse_multiquadric(), true, 0., false, 8, 512)
                              : batched(samples, SC::Matern_9_2(), false, 1e-6, false, 8, 512);
     double unit = 0., largest = 0.;
-    for(std::size_t i = 0; i < samples.size(); ++i)
+    for(std::size_t i = 0; i < samples.size(); i += n / 4) // the corners, and others
       if(SC::is_estimated(found[i].status))
       {
         const auto fit = [&](const int failures)
@@ -431,13 +454,13 @@ BOOST_AUTO_TEST_CASE(agrees_with_fits_of_more_digits)
     BOOST_TEST_MESSAGE(n << " x " << n << ", " << rings << " rings" << (exact ? ", exact" : "") << ": "
                          << largest / unit);
     BOOST_TEST(unit > 1.);
-    BOOST_TEST(largest < bound * unit);
+    BOOST_TEST(largest < 1e-9 * unit);
   };
   for(const unsigned int rings : {2u, 3u})
   {
-    check(6, rings, true, 2e-8);
-    check(16, rings, true, 2e-9);
-    check(16, rings, false, 5e-7);
+    check(6, rings, true);
+    check(16, rings, true);
+    check(16, rings, false);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <Shape_characteristics/interpolation/Matern_9_2.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
 #include <Shape_characteristics/interpolation/internal/Pair_on_lanes.h>
+#include <Shape_characteristics/interpolation/internal/Split_on_lanes.h>
 #include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -96,7 +97,14 @@ double error_of_arithmetic()
     take(x * y, a * b);
     take(-x, -a);
     take(internal::magnify(x, .5), a / 2);
-    take(internal::inverse_sqrt(x), 1 / sqrt(a));
+    take(internal::sqrt(x), sqrt(a));
+    const bool is_ordered = a > b;
+    take(internal::sum_of_ordered(is_ordered ? x : y, (is_ordered ? y : x).high),
+         is_ordered ? a + double(b) : b + double(a));
+    take(internal::sum_of_ordered((is_ordered ? x : y).high, is_ordered ? y : x),
+         is_ordered ? double(a) + b : double(b) + a);
+    take(internal::normalized(Pair<n>(x.high, 0x1p-20 * y.high)),
+         Number(double(a)) + Number(0x1p-20 * double(b)));
     take(x + y.high, a + Number(numbers<n>(y.high).back()));
     take(x * y.high, a * Number(numbers<n>(y.high).back()));
     take(internal::difference(x.high, y.high),
@@ -104,6 +112,53 @@ double error_of_arithmetic()
     // of nearly equal ones, what is left has fewer digits: those of both
     const Number c = a + a * 0x1p-20;
     test_support::raise_to(largest, double(abs(value<n>(pair<n>(c) - x) - (c - a)) / a));
+  }
+  return largest;
+}
+
+// of sums of products, in units of the largest product there may be
+template <int n>
+double error_of_split_products()
+{
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(-1., 1.);
+  internal::Lanes<n> shift;
+  internal::set_lanes(shift, 0x1.8p32); // units of 2^-20
+  double largest = 0.;
+  for(int k = 0; k < 200; ++k)
+  {
+    internal::Sum_of_splits_on_lanes<internal::Lanes<n> > sum;
+    Number expected = 0, first_parts = 0;
+    for(int term = 0; term < 50; ++term)
+    {
+      const Number a = uniform(random) + uniform(random) * 0x1p-54, b = uniform(random);
+      const auto x = internal::split(pair<n>(a), shift), y = internal::split(pair<n>(b), shift);
+      const auto part = [](const internal::Lanes<n>& v) { return Number(numbers<n>(v).back()); };
+      if(term % 3 == 0)
+      {
+        sum.add_square(x);
+        expected += a * a;
+        first_parts += part(x.first) * part(x.first);
+      }
+      else if(term % 3 == 1)
+      {
+        sum.template add_product<1>(x, y);
+        expected += a * b;
+        first_parts += part(x.first) * part(y.first);
+      }
+      else
+      {
+        sum.template add_product<-1>(x, y);
+        expected -= a * b;
+        first_parts -= part(x.first) * part(y.first);
+      }
+    }
+    BOOST_TEST_REQUIRE(Number(numbers<n>(sum.first).back()) == first_parts);
+    internal::Lanes<n> coarse;
+    internal::set_lanes(coarse, 0x1.8p38);
+    const auto again = sum.split(coarse);
+    test_support::raise_to(largest, double(abs(value<n>(sum.pair()) - expected)),
+                           double(abs(value<n>(Pair<n>(again.first, again.rest)) - expected)));
   }
   return largest;
 }
@@ -175,6 +230,10 @@ void check()
   const double arithmetic = error_of_arithmetic<n>();
   BOOST_TEST_MESSAGE(n << " lanes: relative error of arithmetic " << arithmetic);
   BOOST_TEST(arithmetic < 1e-30);
+
+  const double split = error_of_split_products<n>();
+  BOOST_TEST_MESSAGE(n << " lanes: error of sums of 50 products in two parts " << split);
+  BOOST_TEST(split < 1e-20);
 
   const double of_multiquadric =
       error_of_basis_function<n>(SC::Inverse_multiquadric(), inverse_multiquadric, 3.);

@@ -238,10 +238,7 @@ private:
       do
         is_solved = workspace.system.solve_positive_definite(attempts.value_variance(),
                                                              attempts.derivative_variance());
-      while(is_solved && m_options.exactness_is_checked &&
-            attempts.next_if_inexact({neighborhood.points.size(), workspace.system.residual(),
-                                      workspace.system.mahalanobis_square(),
-                                      workspace.system.log_likelihood()}));
+      while(is_solved && m_options.exactness_is_checked && goes_on(attempts, workspace));
       if(!is_solved)
         continue;
       jet = workspace.system(Vector::Zero());
@@ -249,6 +246,15 @@ private:
         return true;
     } while(attempts.next());
     return false;
+  }
+
+  // whether what was solved asks for another attempt
+  static bool goes_on(internal::Exact_fit_attempts& attempts, const Workspace& workspace)
+  {
+    const internal::Fit_evidence evidence{workspace.neighborhood.points.size(), workspace.system.residual(),
+                                          workspace.system.mahalanobis_square(),
+                                          workspace.system.log_likelihood()};
+    return attempts.is_in_doubt(evidence) && attempts.next_if_inexact(evidence);
   }
 
   void set_up_noisy(Workspace& workspace, bool bends_trend) const

@@ -55,6 +55,8 @@ class Batched_hermite_rbf
     Vector trend;
     Exact_fit_attempts exact;
     Noisy_fit_attempts noisy;
+    std::size_t first_kept =
+        0; // in the workspace: what the first attempt is at what is served, if it is doubted
   };
 
   struct Served
@@ -97,6 +99,7 @@ public:
     std::vector<Index> m_rim;   // centers to be
     std::vector<Index> m_order; // tasks by size
     std::vector<Index> m_left;  // samples for which the fit of another was not good enough
+    std::vector<double> m_kept; // of Hermite_evaluation
     Hermite_batch m_batch;
   };
 
@@ -131,6 +134,7 @@ public:
     workspace.m_points.clear();
     workspace.m_normals.clear();
     workspace.m_tasks.clear();
+    workspace.m_kept.clear();
     workspace.m_nearest.assign(end - begin, {std::numeric_limits<double>::infinity(), 0, 0});
     // the entry of a sample that may be served; null if it belongs to another patch
     const auto nearest_to = [&](const Index j) -> Nearest_center*
@@ -212,7 +216,6 @@ public:
     {
       const std::size_t last = (std::min)(first + lanes, workspace.m_tasks.size());
       fill_batch(first, last, workspace);
-      batch.wants_log_likelihood = true;
       m_functions.assemble(batch, m_unit_phi);
       m_functions.solve(batch);
       for(std::size_t t = first; t < last; ++t)
@@ -220,7 +223,7 @@ public:
         {
           // The density is that of values times the shape parameter.
           const Task& task = workspace.m_tasks[workspace.m_order[t]];
-          of_shape[task.first_served] = batch.log_likelihood[t - first] +
+          of_shape[task.first_served] = batch.log_likelihood_of(t - first) +
                                         double(task.number_of_points) * std::log(task.shape_parameter);
         }
     }
@@ -252,9 +255,9 @@ private:
 
   // Rounding would be seen in such weights, in units of the neighborhood's size: when waves and polynomials were scaled, by 1e-9 of the
   // largest curvature on point sets, where neighbors are on one side more often, and at borders, and by some 1e-8 over rings elsewhere.
-  // There, to refine as many would take random points of a mesh half as long again.
+  // There, to refine as many would take random points of a mesh a quarter longer with exact normals.
   static constexpr double s_large_exact_weight = 2e3, s_large_noisy_weight = 5e4;
-  static constexpr double s_large_exact_weight_of_rings = 2e5, s_large_noisy_weight_of_rings = 1e6;
+  static constexpr double s_large_exact_weight_of_rings = 2e5, s_large_noisy_weight_of_rings = 3e5;
 
   static RadialBasisFunction unit_shape(const RadialBasisFunction& phi)
   {
@@ -461,8 +464,24 @@ private:
     batch.set(batch.derivative_noise, 0, lane,
               is_exact ? task.exact.derivative_variance() : task.noisy.derivative_variance());
     batch.set(batch.bends, 0, lane, task.noisy.bends_trend() ? 1. : 0.);
-    batch.wants_log_likelihood = batch.wants_log_likelihood || task.exact.wants_log_likelihood();
   }
+
+  // what becomes of a fit
+  struct Use
+  {
+    enum class Kind
+    {
+      ANSWER,
+      KEEP,        // until other attempts tell whether it is the answer
+      NONE,        // there is another attempt
+      FIRST_ANSWER // that is what the first attempt was
+    };
+    Kind kind = Kind::NONE;
+    std::size_t first_kept = 0; // in the workspace
+
+    bool is_evaluated() const { return kind == Kind::ANSWER || kind == Kind::KEEP; }
+  };
+  using Uses = std::array<Use, Hermite_batch::max_lanes>;
 
   void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const
   {
@@ -471,16 +490,16 @@ private:
     m_functions.assemble(batch, m_unit_phi);
     m_functions.solve(batch);
 
-    std::array<bool, Hermite_batch::max_lanes> is_postponed{};
+    Uses uses;
     std::size_t most_served = 0;
     for(std::size_t lane = 0; first + lane < last; ++lane)
     {
-      const Task& task = task_of(lane, first, last, workspace);
-      is_postponed[lane] = postpone(task, lane, workspace);
-      if(!is_postponed[lane])
+      Task& task = workspace.m_tasks[workspace.m_order[first + lane]];
+      uses[lane] = use_of(task, lane, workspace);
+      if(uses[lane].is_evaluated())
         most_served = (std::max)(most_served, task.number_of_served);
     }
-    refine(is_postponed, first, last, workspace);
+    refine(uses, first, last, workspace);
     for(std::size_t s = 0; s < most_served; ++s)
     {
       std::array<Vector, Hermite_batch::max_lanes> displacement;
@@ -503,7 +522,7 @@ private:
         std::array<bool, Hermite_batch::max_lanes> moves{};
         const auto step = [&](const std::size_t lane)
         {
-          Hermite_jet jet = batch.jet_of(lane);
+          Hermite_jet jet = batch.evaluation_of(lane).jet();
           const Task& task = task_of(lane, first, last, workspace);
           jet.value /= task.shape_parameter;
           step_to_zero_set(jet, task.scaling, displacement[lane]);
@@ -529,23 +548,39 @@ private:
       }
       for(std::size_t lane = 0; first + lane < last; ++lane)
         if(const Task& task = task_of(lane, first, last, workspace);
-           s < task.number_of_served && !is_postponed[lane])
-          answer(task, s, lane, displacement[lane], workspace, output);
+           s < task.number_of_served && uses[lane].is_evaluated())
+        {
+          const Hermite_evaluation evaluation = batch.evaluation_of(lane);
+          if(uses[lane].kind == Use::Kind::KEEP)
+            for(std::size_t k = 0; k < Hermite_evaluation::size; ++k)
+              workspace.m_kept[uses[lane].first_kept + s * Hermite_evaluation::size + k] = evaluation[k];
+          else
+            answer(task, s, batch.is_positive_definite[lane] != 0., evaluation, displacement[lane], workspace,
+                   output);
+        }
     }
+    for(std::size_t lane = 0; first + lane < last; ++lane)
+      if(uses[lane].kind == Use::Kind::FIRST_ANSWER)
+      {
+        const Task& task = task_of(lane, first, last, workspace);
+        for(std::size_t s = 0; s < task.number_of_served; ++s)
+        {
+          const double* const kept =
+              workspace.m_kept.data() + uses[lane].first_kept + s * Hermite_evaluation::size;
+          answer(task, s, true, Hermite_evaluation(kept, 1), Vector::Zero(), workspace, output);
+        }
+      }
   }
 
   // the solutions of those lanes in which rounding would be seen
-  void refine(const std::array<bool, Hermite_batch::max_lanes>& is_postponed,
-              std::size_t first,
-              std::size_t last,
-              Workspace& workspace) const
+  void refine(const Uses& uses, std::size_t first, std::size_t last, Workspace& workspace) const
   {
     Hermite_batch& batch = workspace.m_batch;
     bool is_any = false;
     for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
     {
       const bool is_refined =
-          !is_postponed[lane] && has_large_weights(task_of(lane, first, last, workspace), batch, lane);
+          uses[lane].is_evaluated() && has_large_weights(task_of(lane, first, last, workspace), batch, lane);
       batch.is_refined[lane] = is_refined ? 1. : 0.;
       is_any = is_any || is_refined;
     }
@@ -565,34 +600,49 @@ private:
            (m_options.normals_are_exact ? large_exact : large_noisy);
   }
 
-  // whether the normals turned out not to be exact: there is another attempt, for all that the task serves
-  bool postpone(const Task& task, std::size_t lane, Workspace& workspace) const
+  // If the normals may not be exact, there is another attempt, for all that the task serves.
+  Use use_of(Task& task, std::size_t lane, Workspace& workspace) const
   {
+    const Hermite_batch& batch = workspace.m_batch;
+    Use use;
+    use.kind = Use::Kind::ANSWER;
     if(!(m_options.normals_are_exact && m_options.exactness_is_checked) ||
-       workspace.m_batch.is_positive_definite[lane] == 0.)
-      return false;
-    Task again = task;
-    if(!again.exact.next_if_inexact({task.number_of_points, workspace.m_batch.residual[lane],
-                                     workspace.m_batch.mahalanobis_square[lane],
-                                     workspace.m_batch.log_likelihood[lane]}))
-      return false;
-    workspace.m_next_tasks.push_back(again);
-    return true;
+       batch.is_positive_definite[lane] == 0.)
+      return use;
+    Fit_evidence evidence{task.number_of_points, batch.residual[lane], batch.mahalanobis_square[lane], 0.};
+    if(!task.exact.is_in_doubt(evidence))
+      return use;
+    evidence.log_likelihood = batch.log_likelihood_of(lane);
+    const bool is_first = !task.exact.is_doubted();
+    if(!task.exact.next_if_inexact(evidence))
+      return use;
+    if(is_first)
+    {
+      task.first_kept = workspace.m_kept.size();
+      workspace.m_kept.resize(task.first_kept + task.number_of_served * Hermite_evaluation::size);
+    }
+    use.first_kept = task.first_kept;
+    use.kind = is_first                      ? Use::Kind::KEEP
+               : task.exact.is_first_again() ? Use::Kind::FIRST_ANSWER
+                                             : Use::Kind::NONE;
+    if(use.kind != Use::Kind::FIRST_ANSWER)
+      workspace.m_next_tasks.push_back(task);
+    return use;
   }
 
   // gives the answer of a fit for the `s`-th sample it serves, or sees to it that there is another attempt
   void answer(const Task& task,
               std::size_t s,
-              std::size_t lane,
+              bool is_solved,
+              const Hermite_evaluation& evaluation,
               const Vector& displacement,
               Workspace& workspace,
               const Output& output) const
   {
     const Served served = workspace.m_served[task.first_served + s];
-    const bool is_solved = workspace.m_batch.is_positive_definite[lane] != 0.;
     const double unit = task.shape_parameter;
-    const Vector gradient = workspace.m_batch.gradient_of(lane);
-    Fit_quality quality = workspace.m_batch.quality_of(lane);
+    const Vector gradient = evaluation.gradient();
+    Fit_quality quality = evaluation.quality();
     quality.largest_curvature *= unit;
     bool is_surface = false, is_accepted = false;
     if(is_solved && std::isfinite(quality.gradient_length) && std::isfinite(quality.largest_curvature))
@@ -629,13 +679,13 @@ private:
     const double factor = unit / task.scale;
     if(output.curvatures)
     {
-      output.curvatures(served.sample, status, workspace.m_batch.curvatures_of(lane, factor));
+      output.curvatures(served.sample, status, evaluation.curvatures(factor));
       return;
     }
     Local_implicit_surface result;
     result.status = status;
     result.gradient = task.scaling(gradient);
-    result.hessian = task.scaling(Eigen::Matrix3d(workspace.m_batch.jet_of(lane).hessian * factor));
+    result.hessian = task.scaling(Eigen::Matrix3d(evaluation.jet().hessian * factor));
     result.displacement = task.scale * task.scaling.inverse()(displacement);
     output.surface(served.sample, result);
   }

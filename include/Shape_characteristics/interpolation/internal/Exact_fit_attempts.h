@@ -60,37 +60,37 @@ public:
     return ++m_failures < s_attempts;
   }
 
-  // whether next_if_inexact() will ask for the likelihood
-  bool wants_log_likelihood() const { return m_stage != Stage::TRUST && m_stage != Stage::VERDICT; }
+  bool is_doubted() const { return m_stage != Stage::TRUST; }
 
-  // after an attempt: whether there is another, because the data may not be exact
+  // after an attempt: whether the data may not be exact, by all but their likelihood
+  bool is_in_doubt(const Fit_evidence& evidence) const
+  {
+    return m_stage == Stage::TRUST ? is_doubtful(evidence) : m_stage != Stage::VERDICT;
+  }
+
+  // if so: whether there is another attempt
   bool next_if_inexact(const Fit_evidence& evidence)
   {
-    switch(m_stage)
+    judge(evidence);
+    if(m_stage == Stage::TRUST)
     {
-    case Stage::TRUST:
-      if(!is_doubtful(evidence))
-        return false;
-      m_stage = Stage::DOUBT;
-      return true;
-    case Stage::DOUBT:
-      judge(evidence);
       m_kept = m_likeliest = m_tried;
+      m_is_first_kept = true;
       m_stage = Stage::VALUES;
-      break;
-    case Stage::VALUES:
-    case Stage::DERIVATIVES:
-      keep_likeliest(evidence);
-      m_stage = m_stage == Stage::VALUES ? Stage::DERIVATIVES : Stage::BOTH;
-      break;
-    case Stage::BOTH:
-      keep_likeliest(evidence);
-      end_round(evidence);
-      break;
-    case Stage::VERDICT:
-      return false;
     }
+    else
+    {
+      if(m_tried.log_likelihood > m_likeliest.log_likelihood)
+        m_likeliest = m_tried;
+      if(m_stage == Stage::BOTH)
+        end_round(evidence);
+      else
+        m_stage = m_stage == Stage::VALUES ? Stage::DERIVATIVES : Stage::BOTH;
+    }
+    const bool was_tried = m_tried.values == m_kept.values && m_tried.derivatives == m_kept.derivatives;
     m_tried = m_kept;
+    if(m_stage == Stage::VERDICT)
+      return !was_tried;
     const double factor = std::pow(s_step, m_hundredfolds);
     if(m_stage == Stage::VALUES || m_stage == Stage::BOTH)
       m_tried.values *= factor;
@@ -98,6 +98,9 @@ public:
       m_tried.derivatives *= factor;
     return true;
   }
+
+  // of the last attempt: whether it is the first one again, since nothing was found to be likelier
+  bool is_first_again() const { return m_stage == Stage::VERDICT && m_is_first_kept; }
 
 private:
   // variances, and what a system with them says
@@ -108,12 +111,10 @@ private:
     bool is_unlikely = false; // that the data are those of a surface
   };
 
-  // what an attempt is: the first; the same again, for its likelihood; those of a round: with less trust in points, normals, or both;
-  // the one with what was kept
+  // what an attempt is: the first; those of a round: with less trust in points, normals, or both; the one with what was kept
   enum class Stage
   {
     TRUST,
-    DOUBT,
     VALUES,
     DERIVATIVES,
     BOTH,
@@ -139,13 +140,6 @@ private:
     m_tried.is_unlikely = is_unlikely(evidence, s_least_unlikely_square);
   }
 
-  void keep_likeliest(const Fit_evidence& evidence)
-  {
-    judge(evidence);
-    if(m_tried.log_likelihood > m_likeliest.log_likelihood)
-      m_likeliest = m_tried;
-  }
-
   // Goes on with the likeliest of a round. If it hardly gains, and the data remain unlikely, they may be so far from exact that it takes
   // a larger step to see it, which has to gain more.
   void end_round(const Fit_evidence& evidence)
@@ -153,7 +147,10 @@ private:
     const double least_gain = s_least_gain * evidence.equations() * m_hundredfolds;
     const bool is_gain = m_likeliest.log_likelihood > m_kept.log_likelihood + least_gain;
     if(is_gain)
+    {
       m_kept = m_likeliest;
+      m_is_first_kept = false;
+    }
     m_hundredfolds = is_gain ? 1 : m_hundredfolds + 1;
     const bool goes_on =
         (is_gain || (m_kept.is_unlikely && m_hundredfolds <= s_most_hundredfolds)) && ++m_rounds < s_rounds;
@@ -176,6 +173,7 @@ private:
   Trust m_tried, m_kept, m_likeliest;
   Stage m_stage = Stage::TRUST;
   int m_failures = 0, m_rounds = 0;
+  bool m_is_first_kept = false;
   int m_hundredfolds = 1; // less trust than in what was kept, in an attempt
 };
 

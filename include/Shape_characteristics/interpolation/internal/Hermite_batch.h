@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -22,6 +23,59 @@ enum class Hermite_equations
 {
   TANGENTS, // value and both tangential derivatives at each center, and the derivative along the normal at the first: 3m + 1
   GRADIENTS // value and gradient at each center: 4m
+};
+
+/*
+  What a fit is at a point: value, gradient, upper triangle of the Hessian matrix, quality, principal curvatures and directions, as
+  every `stride`-th of some numbers.
+*/
+class Hermite_evaluation
+{
+public:
+  static constexpr std::size_t size = 20;
+
+  Hermite_evaluation(const double* numbers, std::size_t stride) : m_numbers(numbers), m_stride(stride) {}
+
+  double operator[](std::size_t k) const { return m_numbers[k * m_stride]; }
+
+  Hermite_jet jet() const
+  {
+    const Hermite_evaluation& e = *this;
+    Hermite_jet result;
+    result.value = e[0];
+    result.gradient = gradient();
+    result.hessian << e[4], e[5], e[6], e[5], e[7], e[8], e[6], e[8], e[9];
+    return result;
+  }
+
+  Eigen::Vector3d gradient() const { return vector(1); }
+
+  // its curvature is that of the scaled points
+  Fit_quality quality() const
+  {
+    Fit_quality quality;
+    quality.gradient_length = (*this)[10];
+    quality.largest_curvature = (*this)[11];
+    return quality;
+  }
+
+  // of the level set, in space before it was compressed along an axis, times `factor`; curvatures otherwise are those of the scaled
+  // points
+  Shape_operator_eigen curvatures(double factor) const
+  {
+    Shape_operator_eigen result;
+    result.min_curvature = factor * (*this)[12];
+    result.max_curvature = factor * (*this)[13];
+    result.min_direction = vector(14);
+    result.max_direction = vector(17);
+    return result;
+  }
+
+private:
+  Eigen::Vector3d vector(std::size_t k) const { return {(*this)[k], (*this)[k + 1], (*this)[k + 2]}; }
+
+  const double* m_numbers;
+  std::size_t m_stride;
 };
 
 /*
@@ -53,12 +107,12 @@ public:
                                                tangents_size,
                                                3 + Height_polynomial<double>::size, // trend, bend
                                                9, // counts, noise, unit, scaling, bends
-                                               4 * panels * right_sides,  // solution, noise
-                                               4 * max_centers,           // weights
-                                               3 * max_centers + 5,       // at the first center, polynomial
-                                               3 + s_jet,                 // evaluation
-                                               8 * panels * (panels + 1), // matrix
-                                               8 * panels + 16 * max_centers + 10}; // refinement
+                                               4 * panels * right_sides, // solution, noise
+                                               4 * max_centers,          // weights
+                                               3 * max_centers + 5,      // at the first center, polynomial
+                                               3 + Hermite_evaluation::size,        // evaluation
+                                               8 * panels * (panels + 1),           // matrix
+                                               8 * panels + 36 * max_centers + 10}; // refinement
     std::size_t size = 0;
     for(const std::size_t s : sizes)
       size += s * lanes;
@@ -96,10 +150,12 @@ public:
     known = right_side + 4 * panels * lanes;
     exact_weights = known + 4 * panels * lanes;
     jets_at_centers = exact_weights + 8 * max_centers * lanes;
-    exact_polynomial = jets_at_centers + 8 * max_centers * lanes;
+    split_points = jets_at_centers + 8 * max_centers * lanes;
+    split_weights = split_points + 6 * max_centers * lanes;
+    split_functions = split_weights + 8 * max_centers * lanes;
+    exact_polynomial = split_functions + 6 * max_centers * lanes;
     smallest_count = max_centers;
     is_any_scaled = false;
-    wants_log_likelihood = false;
   }
 
   std::size_t lanes() const { return m_lanes; }
@@ -134,52 +190,26 @@ public:
     is_any_scaled = is_any_scaled || !scaling.is_identity();
   }
 
-  // what was evaluated in a lane
-  Hermite_jet jet_of(std::size_t lane) const
-  {
-    Hermite_jet result;
-    result.value = get(jet, 0, lane);
-    result.gradient = gradient_of(lane);
-    const double xx = get(jet, 4, lane), xy = get(jet, 5, lane), xz = get(jet, 6, lane),
-                 yy = get(jet, 7, lane), yz = get(jet, 8, lane), zz = get(jet, 9, lane);
-    result.hessian << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-    return result;
-  }
+  Hermite_evaluation evaluation_of(std::size_t lane) const { return {jet + lane, m_lanes}; }
 
-  Eigen::Vector3d gradient_of(std::size_t lane) const
+  // after solving: the logarithm of the probability density of the data, up to a constant
+  double log_likelihood_of(std::size_t lane) const
   {
-    return {get(jet, 1, lane), get(jet, 2, lane), get(jet, 3, lane)};
-  }
-
-  // of what was evaluated in a lane; its curvature is that of the scaled points
-  Fit_quality quality_of(std::size_t lane) const
-  {
-    Fit_quality quality;
-    quality.gradient_length = get(jet, 10, lane);
-    quality.largest_curvature = get(jet, 11, lane);
-    return quality;
-  }
-
-  // of the level set of what was evaluated in a lane, in space before it was compressed along an axis, times `factor`; curvatures
-  // otherwise are those of the scaled points
-  Shape_operator_eigen curvatures_of(std::size_t lane, double factor) const
-  {
-    Shape_operator_eigen result;
-    result.min_curvature = factor * get(jet, 12, lane);
-    result.max_curvature = factor * get(jet, 13, lane);
-    result.min_direction = {get(jet, 14, lane), get(jet, 15, lane), get(jet, 16, lane)};
-    result.max_direction = {get(jet, 17, lane), get(jet, 18, lane), get(jet, 19, lane)};
+    double result = -0.5 * mahalanobis_square[lane] + std::log(inverse_root_of_noise[lane]);
+    // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
+    for(std::size_t p = 0; p < panels; ++p)
+    {
+      const std::size_t corner = panel(p) + 16 * p;
+      result += std::log((get(matrix, corner, lane) * get(matrix, corner + 5, lane)) *
+                         (get(matrix, corner + 10, lane) * get(matrix, corner + 15, lane)));
+    }
     return result;
   }
 
   // first number of panel `p` of the matrix: of four rows of the lower triangle, column by column
   [[gnu::always_inline]] static std::size_t panel(std::size_t p) { return 8 * p * (p + 1); }
 
-  // value, gradient, upper triangle of the Hessian matrix, quality, principal curvatures and directions
-  static constexpr std::size_t s_jet = 20;
-
   std::size_t number_of_equations = 0, panels = 0;
-  bool wants_log_likelihood = false;
   double radius = 0.;             // largest distance of a center from the first
   std::size_t smallest_count = 0; // centers that no lane lacks
   double* points = nullptr;       // 3 numbers for each center
@@ -215,9 +245,14 @@ public:
   double* exact_weights = nullptr;
   double* exact_polynomial = nullptr;
   double* jets_at_centers = nullptr;
+  // of Hermite_refinement_on_lanes: what is multiplied there, in two parts: points, weights, and psi, P and B between a center and others
+  double* split_points = nullptr;
+  double* split_weights = nullptr;
+  double* split_functions = nullptr;
   alignas(64) std::array<double, max_lanes> is_refined{};           // which solutions are to be: 1 or 0
   alignas(64) std::array<double, max_lanes> is_positive_definite{}; // after solving: 1 or 0
-  alignas(64) std::array<double, max_lanes> log_likelihood{}; // after solving, if wanted: up to a constant
+  // after solving: of what noise that isn't in the matrix adds to the determinant
+  alignas(64) std::array<double, max_lanes> inverse_root_of_noise{};
   // after solving: of the data from the trend; on average the number of equations, if their covariance is what the matrix says
   alignas(64) std::array<double, max_lanes> mahalanobis_square{};
   // after solving: the sum of the squares of the weights, but of those of the first center

@@ -5,7 +5,6 @@
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -203,8 +202,7 @@ private:
     if(batch.equations() == Hermite_equations::GRADIENTS)
       take_first_noise(batch, square, inverse_root);
     find_mahalanobis_square(batch, square);
-    if(batch.wants_log_likelihood)
-      find_log_likelihood(batch, inverse_root);
+    *reinterpret_cast<V*>(batch.inverse_root_of_noise.data()) = inverse_root;
     substitute_backward(batch);
     *reinterpret_cast<V*>(batch.is_positive_definite.data()) = ok;
   }
@@ -332,25 +330,6 @@ private:
     for(std::size_t r = 0; r < batch.number_of_equations; ++r)
       square += solution[r] * solution[r];
     *reinterpret_cast<V*>(batch.mahalanobis_square.data()) = square;
-  }
-
-  [[gnu::always_inline]] static void find_log_likelihood(Hermite_batch& batch, const V& inverse_root)
-  {
-    const V* const matrix = vectors(batch.matrix);
-    *reinterpret_cast<V*>(batch.log_likelihood.data()) =
-        -0.5 * *reinterpret_cast<const V*>(batch.mahalanobis_square.data());
-    const double* const roots = reinterpret_cast<const double*>(&inverse_root);
-    for(int lane = 0; lane < n; ++lane)
-      batch.log_likelihood[std::size_t(lane)] += std::log(roots[lane]);
-    // Four pivots are of 1e-6 or more each; their product is a number whatever becomes of that of all.
-    for(std::size_t p = 0; p < batch.panels; ++p)
-    {
-      const V* const corner = matrix + Hermite_batch::panel(p) + 16 * p;
-      const V inverse = (corner[0] * corner[5]) * (corner[10] * corner[15]);
-      const double* const numbers = reinterpret_cast<const double*>(&inverse);
-      for(int lane = 0; lane < n; ++lane)
-        batch.log_likelihood[std::size_t(lane)] += std::log(numbers[lane]);
-    }
   }
 
   // The noise times the weights is what the function leaves of the data.

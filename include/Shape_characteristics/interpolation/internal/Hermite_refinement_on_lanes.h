@@ -5,9 +5,11 @@
 #include <Shape_characteristics/interpolation/internal/Hermite_batch_factorization.h>
 #include <Shape_characteristics/interpolation/internal/Lanes.h>
 #include <Shape_characteristics/interpolation/internal/Pair_on_lanes.h>
+#include <Shape_characteristics/interpolation/internal/Split_on_lanes.h>
 #include <Shape_characteristics/interpolation/internal/basis_function_on_lanes.h>
 
 #include <cstddef>
+#include <cstdint>
 
 namespace Shape_characteristics {
 namespace internal {
@@ -23,6 +25,8 @@ class Hermite_refinement_on_lanes
 {
   using V = Lanes<n>;
   using Pair = Pair_on_lanes<V>;
+  using Split = Split_on_lanes<V>;
+  using Sum = Sum_of_splits_on_lanes<V>;
   using Basis_function = Basis_function_on_lanes<RadialBasisFunction>;
 
 public:
@@ -62,6 +66,28 @@ private:
   [[gnu::always_inline]] static void add(V* array, std::size_t k, const Pair& value)
   {
     set(array, k, get(array, k) + value);
+  }
+
+  [[gnu::always_inline]] static Split get_split(const V* array, std::size_t k)
+  {
+    return {array[2 * k], array[2 * k + 1]};
+  }
+
+  [[gnu::always_inline]] static void set_split(V* array, std::size_t k, const Split& number)
+  {
+    array[2 * k] = number.first;
+    array[2 * k + 1] = number.rest;
+  }
+
+  [[gnu::always_inline]] static Sum get_sum(const V* array, std::size_t k)
+  {
+    return {array[2 * k], array[2 * k + 1]};
+  }
+
+  [[gnu::always_inline]] static void set_sum(V* array, std::size_t k, const Sum& sum)
+  {
+    array[2 * k] = sum.first;
+    array[2 * k + 1] = sum.rest;
   }
 
   // of the corrected solution
@@ -127,12 +153,12 @@ private:
   [[gnu::always_inline]] static void apply_function(Hermite_batch& batch,
                                                     const Basis_function& basis_function)
   {
+    add_up_basis_functions(batch, basis_function);
     const V* const points = vectors(batch.points);
     const V* const weights = vectors(batch.exact_weights);
     const V* const polynomial = vectors(batch.exact_polynomial);
     V* const jets = vectors(batch.jets_at_centers);
     const V &value_noise = *vectors(batch.value_noise), &derivative_noise = *vectors(batch.derivative_noise);
-    const bool is_near = 4. * batch.radius * batch.radius <= Basis_function::near;
     const Pair bending = get(polynomial, 4);
     V origin;
     set_lanes(origin, basis_function.at_origin());
@@ -144,33 +170,160 @@ private:
       {
         const Pair of_linear = get(polynomial, 1 + c), of_bending = bending * p[c];
         value = value + (of_linear - magnify(of_bending, 0.5)) * p[c];
-        set(jets, 4 * i + 1 + c, of_linear - of_bending + get(weights, 4 * i + 1 + c) * derivative_noise);
+        const Pair derivative = of_linear - of_bending + get(weights, 4 * i + 1 + c) * derivative_noise;
+        set(jets, 4 * i + 1 + c, derivative + get_sum(jets, 4 * i + 1 + c).pair());
       }
-      set(jets, 4 * i, value);
+      set(jets, 4 * i, value + get_sum(jets, 4 * i).pair());
     }
-    for(std::size_t i = 1; i < batch.centers(); ++i)
-      for(std::size_t j = 0; j < i; ++j)
-      {
-        const Pair d[3] = {difference(points[3 * i], points[3 * j]),
-                           difference(points[3 * i + 1], points[3 * j + 1]),
-                           difference(points[3 * i + 2], points[3 * j + 2])};
-        Pair psi, P, B;
-        basis_function(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], is_near, psi, P, B);
-        add_to_jet(jets + 8 * i, weights + 8 * j, d, psi, P, B);
-        const Pair back[3] = {-d[0], -d[1], -d[2]};
-        add_to_jet(jets + 8 * j, weights + 8 * i, back, psi, P, B);
-      }
   }
 
-  // what the weights of a center have to do with the jet at `d` from it
-  [[gnu::always_inline]] static void
-  add_to_jet(V* jet, const V* weights, const Pair* d, const Pair& psi, const Pair& P, const Pair& B)
+  // 1.5 * 2^52 units of numbers that are split: weights, and what they are multiplied by
+  struct Shifts
   {
-    const Pair alpha = get(weights, 0), b[3] = {get(weights, 1), get(weights, 2), get(weights, 3)};
-    const Pair s = b[0] * d[0] + b[1] * d[1] + b[2] * d[2], first = alpha * P - B * s;
-    add(jet, 0, alpha * psi - P * s);
+    V point, psi, P, B, weight, s, first;
+  };
+
+  // of P, which is at most 1; units in which nothing that is split has many more than 2^20
+  static constexpr double s_shift = 0x1.8p32;
+
+  [[gnu::always_inline]] static void find_shifts(const Hermite_batch& batch, Shifts& shifts)
+  {
+    // of coordinates and weights, powers of two, not larger
+    V reach, weight;
+    find_largest(vectors(batch.points), 3 * batch.centers(), 1, reach);
+    find_largest(vectors(batch.exact_weights), 4 * batch.centers(), 2, weight);
+    set_lanes(shifts.P, s_shift);
+    set_lanes(shifts.B, 2. * s_shift);
+    shifts.point = (2. * s_shift) * reach;
+    shifts.psi = (8. * s_shift) * (reach * reach);
+    shifts.weight = (2. * s_shift) * weight;
+    shifts.s = (16. * s_shift) * (reach * weight);
+    shifts.first = (2. * s_shift) * (weight * (1. + 16. * reach));
+  }
+
+  // the power of two that isn't larger than the largest of `size` numbers, each `stride`-th one of an array
+  [[gnu::always_inline]] static void
+  find_largest(const V* numbers, std::size_t size, std::size_t stride, V& power)
+  {
+    V largest{};
+    for(std::size_t k = 0; k < size * stride; k += stride)
+    {
+      const V absolute = numbers[k] < 0. ? -numbers[k] : numbers[k];
+      largest = absolute > largest ? absolute : largest;
+    }
+    Bits_of_lanes<V> bits;
+    copy_bits(bits, largest);
+    bits = bits & (std::uint64_t(0x7ff) << 52);
+    copy_bits(power, bits);
+  }
+
+  // to where jets are: values and gradients of the basis functions without their first terms
+  [[gnu::always_inline]] static void add_up_basis_functions(Hermite_batch& batch,
+                                                            const Basis_function& basis_function)
+  {
+    V* const jets = vectors(batch.jets_at_centers);
+    V* const points = vectors(batch.split_points);
+    V* const weights = vectors(batch.split_weights);
+    const V* const functions = vectors(batch.split_functions);
+    Shifts shifts;
+    find_shifts(batch, shifts);
+    for(std::size_t k = 0; k < 3 * batch.centers(); ++k)
+      set_split(points, k, split(Pair(vectors(batch.points)[k]), shifts.point));
+    for(std::size_t k = 0; k < 4 * batch.centers(); ++k)
+    {
+      set_split(weights, k, split(get(vectors(batch.exact_weights), k), shifts.weight));
+      set_sum(jets, k, Sum());
+    }
+    for(std::size_t i = 1; i < batch.centers(); ++i)
+    {
+      find_functions_of_row(batch, basis_function, shifts, i);
+      V jet[8], own_weights[8]; // of this center: in registers, if there are some to spare
+      for(std::size_t k = 0; k < 8; ++k)
+      {
+        jet[k] = jets[8 * i + k];
+        own_weights[k] = weights[8 * i + k];
+      }
+      for(std::size_t j = 0; j < i; ++j)
+      {
+        Split d[3];
+        find_displacement(points, i, j, d);
+        const Split psi = get_split(functions, 3 * j), P = get_split(functions, 3 * j + 1),
+                    B = get_split(functions, 3 * j + 2);
+        add_to_jet<1>(jet, weights + 8 * j, d, psi, P, B, shifts);
+        add_to_jet<-1>(jets + 8 * j, own_weights, d, psi, P, B, shifts);
+      }
+      for(std::size_t k = 0; k < 8; ++k)
+        jets[8 * i + k] = jet[k];
+    }
+  }
+
+  // psi, P and B between center `i` and those before it. Apart from what they are used for: each waits long for its root, but some of
+  // them are found side by side.
+  [[gnu::always_inline]] static void find_functions_of_row(Hermite_batch& batch,
+                                                           const Basis_function& basis_function,
+                                                           const Shifts& shifts,
+                                                           std::size_t i)
+  {
+    const V* const points = vectors(batch.split_points);
+    V* const functions = vectors(batch.split_functions);
+    const bool is_near = 4. * batch.radius * batch.radius <= Basis_function::near;
+    for(std::size_t j = 0; j < i; ++j)
+    {
+      Split d[3];
+      find_displacement(points, i, j, d);
+      Sum square;
+      for(std::size_t c = 0; c < 3; ++c)
+        square.add_square(d[c]);
+      Pair psi, P, B;
+      basis_function(square.pair(), is_near, psi, P, B);
+      set_split(functions, 3 * j, split(psi, shifts.psi));
+      set_split(functions, 3 * j + 1, split(P, shifts.P));
+      set_split(functions, 3 * j + 2, split(B, shifts.B));
+    }
+  }
+
+  // of center `i` from center `j`
+  [[gnu::always_inline]] static void
+  find_displacement(const V* points, std::size_t i, std::size_t j, Split* displacement)
+  {
     for(std::size_t c = 0; c < 3; ++c)
-      add(jet, 1 + c, first * d[c] - P * b[c]);
+    {
+      const Split p = get_split(points, 3 * i + c), q = get_split(points, 3 * j + c);
+      displacement[c] = {p.first - q.first, p.rest - q.rest};
+    }
+  }
+
+  // what the weights of a center have to do with the jet at `d` from it, or at -d (`side` -1)
+  template <int side>
+  [[gnu::always_inline]] static void add_to_jet(V* jet,
+                                                const V* weights,
+                                                const Split* d,
+                                                const Split& psi,
+                                                const Split& P,
+                                                const Split& B,
+                                                const Shifts& shifts)
+  {
+    const Split alpha = get_split(weights, 0),
+                b[3] = {get_split(weights, 1), get_split(weights, 2), get_split(weights, 3)};
+    Sum sum;
+    for(std::size_t c = 0; c < 3; ++c)
+      sum.template add_product<side>(d[c], b[c]);
+    const Split s = sum.split(shifts.s);
+    sum = Sum();
+    sum.template add_product<1>(P, alpha);
+    sum.template add_product<-1>(B, s);
+    const Split first = sum.split(shifts.first);
+    sum = get_sum(jet, 0);
+    sum.template add_product<1>(psi, alpha);
+    sum.template add_product<-1>(P, s);
+    set_sum(jet, 0, sum);
+    for(std::size_t c = 0; c < 3; ++c)
+    {
+      sum = get_sum(jet, 1 + c);
+      sum.template add_product<side>(first, d[c]);
+      sum.template add_product<-1>(P, b[c]);
+      set_sum(jet, 1 + c, sum);
+    }
   }
 
   // to where the solution was: what is left of the right sides, in the basis of the equations (see Hermite_function_on_lanes)

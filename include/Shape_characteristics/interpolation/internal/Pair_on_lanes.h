@@ -100,6 +100,14 @@ template <typename V>
   return result;
 }
 
+// the same number, the first double of which is all of it but for rounding
+template <typename V>
+[[gnu::always_inline]] inline Pair_on_lanes<V> normalized(const Pair_on_lanes<V>& a)
+{
+  const V sum = a.high + a.low;
+  return {sum, a.low - (sum - a.high)};
+}
+
 template <typename V>
 [[gnu::always_inline]] inline Pair_on_lanes<V> operator-(const Pair_on_lanes<V>& a)
 {
@@ -150,6 +158,21 @@ template <typename V>
   return result;
 }
 
+// a + b of which the second isn't larger (Dekker)
+template <typename V>
+[[gnu::always_inline]] inline Pair_on_lanes<V> sum_of_ordered(const V& a, const Pair_on_lanes<V>& b)
+{
+  const V sum = a + b.high;
+  return {sum, (b.high - (sum - a)) + b.low};
+}
+
+template <typename V>
+[[gnu::always_inline]] inline Pair_on_lanes<V> sum_of_ordered(const Pair_on_lanes<V>& a, const V& b)
+{
+  const V sum = a.high + b;
+  return {sum, (b - (sum - a.high)) + a.low};
+}
+
 // times a power of two
 template <typename V>
 [[gnu::always_inline]] inline Pair_on_lanes<V> magnify(const Pair_on_lanes<V>& a, double factor)
@@ -157,15 +180,16 @@ template <typename V>
   return {factor * a.high, factor * a.low};
 }
 
-// 1 / sqrt(x): a step of Newton's from that of a double
+// A step of Newton's from the root of a double; x >= 0.
 template <typename V>
-[[gnu::always_inline]] inline Pair_on_lanes<V> inverse_sqrt(const Pair_on_lanes<V>& x)
+[[gnu::always_inline]] inline Pair_on_lanes<V> sqrt(const Pair_on_lanes<V>& x)
 {
-  V root, one, remainder;
-  inverse_sqrt(x.high, root);
-  set_lanes(one, 1.);
-  (Pair_on_lanes<V>(one) - x * (Pair_on_lanes<V>(root) * root)).round(remainder);
-  return {root, 0.5 * root * remainder};
+  const V positive = x.high + 1e-300; // the root of 0 is 0
+  V inverse, square, rest_of_square;
+  inverse_sqrt(positive, inverse);
+  const V root = x.high * inverse;
+  multiply(root, root, square, rest_of_square);
+  return {root, (0.5 * inverse) * (((x.high - square) - rest_of_square) + x.low)};
 }
 
 } // namespace internal

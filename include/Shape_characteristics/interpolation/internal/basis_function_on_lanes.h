@@ -98,15 +98,34 @@ public:
                                          Pair_on_lanes<V>& P,
                                          Pair_on_lanes<V>& B) const
   {
-    using Pair = Pair_on_lanes<V>;
+    // phi = root (1 + r / 2), r = 1 - (1 + q) root^2: r is tiny, and known to half its digits in numbers without more. Powers of phi are so
+    // many times r / 2 larger than those of the root; all but that is found while r is.
     V one, three;
     set_lanes(one, 1.);
     set_lanes(three, 3.);
-    const Pair inverse_square = q + one, phi = inverse_sqrt(inverse_square), square = phi * phi;
-    const Pair difference = Pair(one) - phi;
-    psi = magnify(difference * difference, 0.5) * ((magnify(phi, 2.) + one) * inverse_square);
-    P = difference * (phi + square + one);
-    B = (square * three) * (square * phi);
+    const V x = 1. + q.high, rest_of_x = (q.high - (x - 1.)) + q.low;
+    V root;
+    inverse_sqrt(x, root);
+    V square, rest_of_square, unity, rest_of_unity, cube, rest_of_cube, thrice, rest_of_thrice, B_high,
+        rest_of_B;
+    multiply(root, root, square, rest_of_square);
+    multiply(x, square, unity, rest_of_unity);
+    multiply(square, root, cube, rest_of_cube);
+    multiply(square, three, thrice, rest_of_thrice);
+    multiply(thrice, cube, B_high, rest_of_B);
+    rest_of_thrice = rest_of_thrice + 3. * rest_of_square;
+    rest_of_cube = rest_of_cube + rest_of_square * root;
+    rest_of_B = rest_of_B + (thrice * rest_of_cube + rest_of_thrice * cube);
+    const V r = ((1. - unity) - rest_of_unity) - (x * rest_of_square + rest_of_x * square);
+
+    const V difference = 1. - root, half_of_q = 0.5 * q.high;
+    psi.high = half_of_q - difference;
+    find_error_of_sum(half_of_q, V(-difference), psi.high, psi.low);
+    psi.low = psi.low + (0.5 * q.low - ((one - difference) - root)) + (0.5 * root) * r;
+    P.high = 1. - cube;
+    P.low = ((one - P.high) - cube) - rest_of_cube - (1.5 * cube) * r;
+    B.high = B_high;
+    B.low = rest_of_B + (2.5 * B_high) * r;
   }
 };
 
@@ -161,16 +180,16 @@ public:
   // The first terms of sums have more digits, and so have the others in the sums, for they are small. Not beyond `near`, which is farther
   // than neighborhoods reach.
   template <typename V>
-  [[gnu::always_inline]] void operator()(const Pair_on_lanes<V>& q,
+  [[gnu::always_inline]] void operator()(const Pair_on_lanes<V>& squared_distance,
                                          bool is_near,
                                          Pair_on_lanes<V>& psi,
                                          Pair_on_lanes<V>& P,
                                          Pair_on_lanes<V>& B) const
   {
     using Pair = Pair_on_lanes<V>;
-    V tiny, r, of_phi, of_A, last_of_psi, last_of_P;
-    set_lanes(tiny, 1e-300);
-    const Pair positive = q + tiny, root = positive * inverse_sqrt(positive), square = q * q;
+    const Pair q = normalized(squared_distance);
+    V r, of_phi, of_A, last_of_psi, last_of_P;
+    const Pair root = sqrt(q), square = q * q;
     const V a = root.high, qq = square.high, a5 = qq * a;
     find_remainder_of_exp(a, r);
     find_last_terms(q.high, a, r, of_phi, of_A, last_of_psi, last_of_P);
@@ -178,10 +197,12 @@ public:
         a5 * ((-1. / 120. + a * (1. / 720. + a * (-1. / 5040. + a * (1. / 40320.)))) + qq * r);
     constexpr double of_psi[] = {1. / 40., -1. / 720., 1. / 5760.},
                      of_P[] = {1. / 10., -1. / 120., 1. / 720.}, of_e[] = {1., -1., 0.5, -1. / 6., 1. / 24.},
-                     of_B[] = {1. / 5., 1. / 5., 1. / 15.};
-    psi = square * (first_terms(q, of_psi) + V(a5 * last_of_psi));
-    P = q * (first_terms(q, of_P) + V(a5 * last_of_P));
-    B = first_terms(root, of_B) * (first_terms(root, of_e) + last_of_e);
+                     of_B[] = {1. / 5., 1. / 15.};
+    V fifth;
+    set_lanes(fifth, 1. / 5.);
+    psi = square * sum_of_ordered(first_terms(q, of_psi), V(a5 * last_of_psi));
+    P = q * sum_of_ordered(first_terms(q, of_P), V(a5 * last_of_P));
+    B = (first_terms(root, of_B) * root + fifth) * sum_of_ordered(first_terms(root, of_e), last_of_e);
     if(!is_near)
     {
       V far_psi, far_P, far_B, unused;
@@ -231,6 +252,7 @@ private:
     result.low = q > near ? V{} : result.low;
   }
 
+  // each coefficient is larger than what follows
   template <typename V, std::size_t size>
   [[gnu::always_inline]] static Pair_on_lanes<V> first_terms(const Pair_on_lanes<V>& x,
                                                              const double (&coefficients)[size])
@@ -241,7 +263,7 @@ private:
     for(std::size_t k = size - 1; k-- > 0;)
     {
       set_lanes(c, coefficients[k]);
-      sum = sum * x + c;
+      sum = sum_of_ordered(c, sum * x);
     }
     return sum;
   }
