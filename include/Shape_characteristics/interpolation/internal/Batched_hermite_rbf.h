@@ -255,7 +255,7 @@ private:
 
   // Rounding would be seen in such weights, in units of the neighborhood's size: when waves and polynomials were scaled, by 1e-9 of the
   // largest curvature on point sets, where neighbors are on one side more often, and at borders, and by some 1e-8 over rings elsewhere.
-  // There, to refine as many would take random points of a mesh a quarter longer with exact normals.
+  // There, most fits to exact normals of random points have weights of 1e4 and more: to refine as many would take much longer.
   static constexpr double s_large_exact_weight = 2e3, s_large_noisy_weight = 5e4;
   static constexpr double s_large_exact_weight_of_rings = 2e5, s_large_noisy_weight_of_rings = 3e5;
 
@@ -467,21 +467,16 @@ private:
   }
 
   // what becomes of a fit
-  struct Use
+  enum class Use
   {
-    enum class Kind
-    {
-      ANSWER,
-      KEEP,        // until other attempts tell whether it is the answer
-      NONE,        // there is another attempt
-      FIRST_ANSWER // that is what the first attempt was
-    };
-    Kind kind = Kind::NONE;
-    std::size_t first_kept = 0; // in the workspace
-
-    bool is_evaluated() const { return kind == Kind::ANSWER || kind == Kind::KEEP; }
+    NONE, // there is another attempt
+    ANSWER,
+    KEEP,        // until other attempts tell whether it is the answer
+    FIRST_ANSWER // that is what the first attempt was
   };
   using Uses = std::array<Use, Hermite_batch::max_lanes>;
+
+  static bool is_evaluated(Use use) { return use == Use::ANSWER || use == Use::KEEP; }
 
   void make_batch(std::size_t first, std::size_t last, Workspace& workspace, const Output& output) const
   {
@@ -490,13 +485,13 @@ private:
     m_functions.assemble(batch, m_unit_phi);
     m_functions.solve(batch);
 
-    Uses uses;
+    Uses uses{};
     std::size_t most_served = 0;
     for(std::size_t lane = 0; first + lane < last; ++lane)
     {
       Task& task = workspace.m_tasks[workspace.m_order[first + lane]];
       uses[lane] = use_of(task, lane, workspace);
-      if(uses[lane].is_evaluated())
+      if(is_evaluated(uses[lane]))
         most_served = (std::max)(most_served, task.number_of_served);
     }
     refine(uses, first, last, workspace);
@@ -548,27 +543,24 @@ private:
       }
       for(std::size_t lane = 0; first + lane < last; ++lane)
         if(const Task& task = task_of(lane, first, last, workspace);
-           s < task.number_of_served && uses[lane].is_evaluated())
+           s < task.number_of_served && is_evaluated(uses[lane]))
         {
           const Hermite_evaluation evaluation = batch.evaluation_of(lane);
-          if(uses[lane].kind == Use::Kind::KEEP)
+          if(uses[lane] == Use::KEEP)
             for(std::size_t k = 0; k < Hermite_evaluation::size; ++k)
-              workspace.m_kept[uses[lane].first_kept + s * Hermite_evaluation::size + k] = evaluation[k];
+              kept_evaluation(task, s, workspace)[k] = evaluation[k];
           else
             answer(task, s, batch.is_positive_definite[lane] != 0., evaluation, displacement[lane], workspace,
                    output);
         }
     }
     for(std::size_t lane = 0; first + lane < last; ++lane)
-      if(uses[lane].kind == Use::Kind::FIRST_ANSWER)
+      if(uses[lane] == Use::FIRST_ANSWER)
       {
         const Task& task = task_of(lane, first, last, workspace);
         for(std::size_t s = 0; s < task.number_of_served; ++s)
-        {
-          const double* const kept =
-              workspace.m_kept.data() + uses[lane].first_kept + s * Hermite_evaluation::size;
-          answer(task, s, true, Hermite_evaluation(kept, 1), Vector::Zero(), workspace, output);
-        }
+          answer(task, s, true, Hermite_evaluation(kept_evaluation(task, s, workspace), 1), Vector::Zero(),
+                 workspace, output);
       }
   }
 
@@ -580,7 +572,7 @@ private:
     for(std::size_t lane = 0; lane < m_functions.lanes; ++lane)
     {
       const bool is_refined =
-          uses[lane].is_evaluated() && has_large_weights(task_of(lane, first, last, workspace), batch, lane);
+          is_evaluated(uses[lane]) && has_large_weights(task_of(lane, first, last, workspace), batch, lane);
       batch.is_refined[lane] = is_refined ? 1. : 0.;
       is_any = is_any || is_refined;
     }
@@ -604,30 +596,31 @@ private:
   Use use_of(Task& task, std::size_t lane, Workspace& workspace) const
   {
     const Hermite_batch& batch = workspace.m_batch;
-    Use use;
-    use.kind = Use::Kind::ANSWER;
     if(!(m_options.normals_are_exact && m_options.exactness_is_checked) ||
        batch.is_positive_definite[lane] == 0.)
-      return use;
+      return Use::ANSWER;
     Fit_evidence evidence{task.number_of_points, batch.residual[lane], batch.mahalanobis_square[lane], 0.};
     if(!task.exact.is_in_doubt(evidence))
-      return use;
+      return Use::ANSWER;
     evidence.log_likelihood = batch.log_likelihood_of(lane);
     const bool is_first = !task.exact.is_doubted();
     if(!task.exact.next_if_inexact(evidence))
-      return use;
+      return Use::ANSWER;
+    if(task.exact.is_first_again())
+      return Use::FIRST_ANSWER;
     if(is_first)
     {
       task.first_kept = workspace.m_kept.size();
       workspace.m_kept.resize(task.first_kept + task.number_of_served * Hermite_evaluation::size);
     }
-    use.first_kept = task.first_kept;
-    use.kind = is_first                      ? Use::Kind::KEEP
-               : task.exact.is_first_again() ? Use::Kind::FIRST_ANSWER
-                                             : Use::Kind::NONE;
-    if(use.kind != Use::Kind::FIRST_ANSWER)
-      workspace.m_next_tasks.push_back(task);
-    return use;
+    workspace.m_next_tasks.push_back(task);
+    return is_first ? Use::KEEP : Use::NONE;
+  }
+
+  // what the first attempt is at the `s`-th sample that a task serves
+  static double* kept_evaluation(const Task& task, std::size_t s, Workspace& workspace)
+  {
+    return workspace.m_kept.data() + task.first_kept + s * Hermite_evaluation::size;
   }
 
   // gives the answer of a fit for the `s`-th sample it serves, or sees to it that there is another attempt

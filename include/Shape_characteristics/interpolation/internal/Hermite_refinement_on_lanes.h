@@ -51,8 +51,9 @@ public:
 private:
   [[gnu::always_inline]] static V* vectors(double* numbers) { return reinterpret_cast<V*>(numbers); }
 
-  // number `k` of an array of them
-  [[gnu::always_inline]] static Pair get(const V* array, std::size_t k)
+  // number `k` of an array of pairs, or of splits, or sums
+  template <typename Number = Pair>
+  [[gnu::always_inline]] static Number get(const V* array, std::size_t k)
   {
     return {array[2 * k], array[2 * k + 1]};
   }
@@ -63,31 +64,16 @@ private:
     array[2 * k + 1] = value.low;
   }
 
-  [[gnu::always_inline]] static void add(V* array, std::size_t k, const Pair& value)
-  {
-    set(array, k, get(array, k) + value);
-  }
-
-  [[gnu::always_inline]] static Split get_split(const V* array, std::size_t k)
-  {
-    return {array[2 * k], array[2 * k + 1]};
-  }
-
-  [[gnu::always_inline]] static void set_split(V* array, std::size_t k, const Split& number)
+  template <typename Split_or_sum>
+  [[gnu::always_inline]] static void set(V* array, std::size_t k, const Split_or_sum& number)
   {
     array[2 * k] = number.first;
     array[2 * k + 1] = number.rest;
   }
 
-  [[gnu::always_inline]] static Sum get_sum(const V* array, std::size_t k)
+  [[gnu::always_inline]] static void add(V* array, std::size_t k, const Pair& value)
   {
-    return {array[2 * k], array[2 * k + 1]};
-  }
-
-  [[gnu::always_inline]] static void set_sum(V* array, std::size_t k, const Sum& sum)
-  {
-    array[2 * k] = sum.first;
-    array[2 * k + 1] = sum.rest;
+    set(array, k, get(array, k) + value);
   }
 
   // of the corrected solution
@@ -171,9 +157,9 @@ private:
         const Pair of_linear = get(polynomial, 1 + c), of_bending = bending * p[c];
         value = value + (of_linear - magnify(of_bending, 0.5)) * p[c];
         const Pair derivative = of_linear - of_bending + get(weights, 4 * i + 1 + c) * derivative_noise;
-        set(jets, 4 * i + 1 + c, derivative + get_sum(jets, 4 * i + 1 + c).pair());
+        set(jets, 4 * i + 1 + c, derivative + get<Sum>(jets, 4 * i + 1 + c).pair());
       }
-      set(jets, 4 * i, value + get_sum(jets, 4 * i).pair());
+      set(jets, 4 * i, value + get<Sum>(jets, 4 * i).pair());
     }
   }
 
@@ -228,11 +214,11 @@ private:
     Shifts shifts;
     find_shifts(batch, shifts);
     for(std::size_t k = 0; k < 3 * batch.centers(); ++k)
-      set_split(points, k, split(Pair(vectors(batch.points)[k]), shifts.point));
+      set(points, k, split(Pair(vectors(batch.points)[k]), shifts.point));
     for(std::size_t k = 0; k < 4 * batch.centers(); ++k)
     {
-      set_split(weights, k, split(get(vectors(batch.exact_weights), k), shifts.weight));
-      set_sum(jets, k, Sum());
+      set(weights, k, split(get(vectors(batch.exact_weights), k), shifts.weight));
+      set(jets, k, Sum());
     }
     for(std::size_t i = 1; i < batch.centers(); ++i)
     {
@@ -247,8 +233,8 @@ private:
       {
         Split d[3];
         find_displacement(points, i, j, d);
-        const Split psi = get_split(functions, 3 * j), P = get_split(functions, 3 * j + 1),
-                    B = get_split(functions, 3 * j + 2);
+        const Split psi = get<Split>(functions, 3 * j), P = get<Split>(functions, 3 * j + 1),
+                    B = get<Split>(functions, 3 * j + 2);
         add_to_jet<1>(jet, weights + 8 * j, d, psi, P, B, shifts);
         add_to_jet<-1>(jets + 8 * j, own_weights, d, psi, P, B, shifts);
       }
@@ -276,9 +262,9 @@ private:
         square.add_square(d[c]);
       Pair psi, P, B;
       basis_function(square.pair(), is_near, psi, P, B);
-      set_split(functions, 3 * j, split(psi, shifts.psi));
-      set_split(functions, 3 * j + 1, split(P, shifts.P));
-      set_split(functions, 3 * j + 2, split(B, shifts.B));
+      set(functions, 3 * j, split(psi, shifts.psi));
+      set(functions, 3 * j + 1, split(P, shifts.P));
+      set(functions, 3 * j + 2, split(B, shifts.B));
     }
   }
 
@@ -288,7 +274,7 @@ private:
   {
     for(std::size_t c = 0; c < 3; ++c)
     {
-      const Split p = get_split(points, 3 * i + c), q = get_split(points, 3 * j + c);
+      const Split p = get<Split>(points, 3 * i + c), q = get<Split>(points, 3 * j + c);
       displacement[c] = {p.first - q.first, p.rest - q.rest};
     }
   }
@@ -303,8 +289,8 @@ private:
                                                 const Split& B,
                                                 const Shifts& shifts)
   {
-    const Split alpha = get_split(weights, 0),
-                b[3] = {get_split(weights, 1), get_split(weights, 2), get_split(weights, 3)};
+    const Split alpha = get<Split>(weights, 0),
+                b[3] = {get<Split>(weights, 1), get<Split>(weights, 2), get<Split>(weights, 3)};
     Sum sum;
     for(std::size_t c = 0; c < 3; ++c)
       sum.template add_product<side>(d[c], b[c]);
@@ -313,16 +299,16 @@ private:
     sum.template add_product<1>(P, alpha);
     sum.template add_product<-1>(B, s);
     const Split first = sum.split(shifts.first);
-    sum = get_sum(jet, 0);
+    sum = get<Sum>(jet, 0);
     sum.template add_product<1>(psi, alpha);
     sum.template add_product<-1>(P, s);
-    set_sum(jet, 0, sum);
+    set(jet, 0, sum);
     for(std::size_t c = 0; c < 3; ++c)
     {
-      sum = get_sum(jet, 1 + c);
+      sum = get<Sum>(jet, 1 + c);
       sum.template add_product<side>(first, d[c]);
       sum.template add_product<-1>(P, b[c]);
-      set_sum(jet, 1 + c, sum);
+      set(jet, 1 + c, sum);
     }
   }
 

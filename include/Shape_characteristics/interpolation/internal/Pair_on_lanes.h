@@ -100,14 +100,6 @@ template <typename V>
   return result;
 }
 
-// the same number, the first double of which is all of it but for rounding
-template <typename V>
-[[gnu::always_inline]] inline Pair_on_lanes<V> normalized(const Pair_on_lanes<V>& a)
-{
-  const V sum = a.high + a.low;
-  return {sum, a.low - (sum - a.high)};
-}
-
 template <typename V>
 [[gnu::always_inline]] inline Pair_on_lanes<V> operator-(const Pair_on_lanes<V>& a)
 {
@@ -160,17 +152,31 @@ template <typename V>
 
 // a + b of which the second isn't larger (Dekker)
 template <typename V>
+[[gnu::always_inline]] inline Pair_on_lanes<V> sum_of_ordered(const V& a, const V& b)
+{
+  const V sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+template <typename V>
 [[gnu::always_inline]] inline Pair_on_lanes<V> sum_of_ordered(const V& a, const Pair_on_lanes<V>& b)
 {
-  const V sum = a + b.high;
-  return {sum, (b.high - (sum - a)) + b.low};
+  const Pair_on_lanes<V> sum = sum_of_ordered(a, b.high);
+  return {sum.high, sum.low + b.low};
 }
 
 template <typename V>
 [[gnu::always_inline]] inline Pair_on_lanes<V> sum_of_ordered(const Pair_on_lanes<V>& a, const V& b)
 {
-  const V sum = a.high + b;
-  return {sum, (b - (sum - a.high)) + a.low};
+  const Pair_on_lanes<V> sum = sum_of_ordered(a.high, b);
+  return {sum.high, sum.low + a.low};
+}
+
+// the same number, the first double of which is all of it but for rounding
+template <typename V>
+[[gnu::always_inline]] inline Pair_on_lanes<V> normalized(const Pair_on_lanes<V>& a)
+{
+  return sum_of_ordered(a.high, a.low);
 }
 
 // times a power of two

@@ -118,10 +118,9 @@ public:
     rest_of_B = rest_of_B + (thrice * rest_of_cube + rest_of_thrice * cube);
     const V r = ((1. - unity) - rest_of_unity) - (x * rest_of_square + rest_of_x * square);
 
-    const V difference = 1. - root, half_of_q = 0.5 * q.high;
-    psi.high = half_of_q - difference;
-    find_error_of_sum(half_of_q, V(-difference), psi.high, psi.low);
-    psi.low = psi.low + (0.5 * q.low - ((one - difference) - root)) + (0.5 * root) * r;
+    const V fall = 1. - root;
+    psi = difference(V(0.5 * q.high), fall);
+    psi.low = psi.low + (0.5 * q.low - ((one - fall) - root)) + (0.5 * root) * r;
     P.high = 1. - cube;
     P.low = ((one - P.high) - cube) - rest_of_cube - (1.5 * cube) * r;
     B.high = B_high;
