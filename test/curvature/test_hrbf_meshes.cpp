@@ -6,12 +6,15 @@
 #include "says.h"
 
 #include <Shape_characteristics/interpolation/Polyharmonic.h>
+#include <Shape_characteristics/interpolation/fit_hermite_rbf.h>
+#include <Shape_characteristics/normals/sampled_surface.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
 #include <Eigen/Core>
 
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <stdexcept>
@@ -352,6 +355,26 @@ BOOST_AUTO_TEST_CASE(cancelled)
     const std::size_t done = stop < 4 ? 0u : std::size_t(stop + 1 - 4) * 512u;
     BOOST_TEST(cancelled == s.points.size() - done);
   }
+}
+
+BOOST_AUTO_TEST_CASE(fits_of_the_first_samples)
+{
+  const Surface_mesh mesh = surface_mesh_of(test_support::torus(1., .4, 24, 12, .2, 3));
+  SC::Face_graph_samples surface = SC::sampled_surface(mesh, SC::Neighborhood::rings(2));
+  const auto heights = [&](const std::size_t size)
+  {
+    return SC::fit_hermite_rbf<CGAL::Sequential_tag, double>(
+        surface, size,
+        [](const std::size_t, const SC::Local_implicit_surface& local)
+        { return local.displacement.norm() + local.hessian.norm(); },
+        SC::parameters::noise_level(1e-3).number_of_passes(1u));
+  };
+  const std::vector<double> all = heights(surface.size()), some = heights(7);
+  BOOST_TEST(all[0] > 0.);
+  BOOST_TEST(some == std::vector<double>(all.begin(), all.begin() + 7), boost::test_tools::per_element());
+  BOOST_TEST(heights(0).empty());
+  BOOST_CHECK_EXCEPTION(heights(surface.size() + 1), std::invalid_argument,
+                        test_support::says("fit_hermite_rbf()"));
 }
 
 BOOST_AUTO_TEST_CASE(wrong_arguments_throw)

@@ -309,6 +309,8 @@ void for_each_hermite_rbf_fit(SampledSurface& surface,
   \param size the number of samples to answer for; the others only are neighbors
   \param transform what to make of each fit
   \param np an optional sequence of \ref sc_namedparameters "Named Parameters"
+
+  \throws std::invalid_argument if there are fewer than `size` samples, or a parameter is out of its range
 */
 template <typename ConcurrencyTag,
           typename Result,
@@ -320,6 +322,9 @@ std::vector<Result> fit_hermite_rbf(SampledSurface& surface,
                                     const Transform& transform,
                                     const NamedParameters& np)
 {
+  if(size > surface.size())
+    throw std::invalid_argument(
+        "Shape_characteristics: fit_hermite_rbf() is asked for more samples than the surface has");
   std::vector<Result> results(size);
   internal::for_each_hermite_rbf_fit<ConcurrencyTag>(
       surface, size, {},
