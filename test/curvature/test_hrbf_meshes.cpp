@@ -361,7 +361,7 @@ BOOST_AUTO_TEST_CASE(fits_of_the_first_samples)
 {
   const Surface_mesh mesh = surface_mesh_of(test_support::torus(1., .4, 24, 12, .2, 3));
   SC::Face_graph_samples surface = SC::sampled_surface(mesh, SC::Neighborhood::rings(2));
-  const auto heights = [&](const std::size_t size)
+  const auto first_fits = [&](const std::size_t size)
   {
     return SC::fit_hermite_rbf<CGAL::Sequential_tag, double>(
         surface, size,
@@ -369,11 +369,11 @@ BOOST_AUTO_TEST_CASE(fits_of_the_first_samples)
         { return local.displacement.norm() + local.hessian.norm(); },
         SC::parameters::noise_level(1e-3).number_of_passes(1u));
   };
-  const std::vector<double> all = heights(surface.size()), some = heights(7);
+  const std::vector<double> all = first_fits(surface.size()), some = heights(7);
   BOOST_TEST(all[0] > 0.);
   BOOST_TEST(some == std::vector<double>(all.begin(), all.begin() + 7), boost::test_tools::per_element());
-  BOOST_TEST(heights(0).empty());
-  BOOST_CHECK_EXCEPTION(heights(surface.size() + 1), std::invalid_argument,
+  BOOST_TEST(first_fits(0).empty());
+  BOOST_CHECK_EXCEPTION(first_fits(surface.size() + 1), std::invalid_argument,
                         test_support::says("fit_hermite_rbf()"));
 }
 
