@@ -16,8 +16,8 @@ namespace internal {
 
 using Adaptive_scores = std::array<double, number_of_adaptive_candidates>;
 
-// The shares of candidates with these scores in a blend, as multiples of the best one's. Scores of those without an estimate are
-// infinite; there is another.
+// The shares of candidates with these scores in a blend, as multiples of the best one's. A score is finite at least; those of
+// candidates without an estimate are infinite.
 inline Adaptive_scores adaptive_shares(const Adaptive_scores& scores)
 {
   const double best = *std::min_element(scores.begin(), scores.end());
