@@ -11,7 +11,6 @@
 #include <Shape_characteristics/curvature/hrbf_curvatures.h>
 #include <Shape_characteristics/curvature/internal/Adaptive_estimator.h>
 #include <Shape_characteristics/curvature/internal/Adaptive_statistics.h>
-#include <Shape_characteristics/curvature/internal/favor_usual_kind_of_data.h>
 #include <Shape_characteristics/normals/vertex_normals.h>
 
 #include <CGAL/property_map.h>
@@ -631,56 +630,6 @@ BOOST_AUTO_TEST_CASE(noise_evidence)
 }
 
 // Where some samples need a closer look, the others are left alone; no bit shows it.
-// the kind of data that most samples seem to have is preferred where nothing else decides
-BOOST_AUTO_TEST_CASE(usual_kind_of_data)
-{
-  using Scores = SC::internal::Adaptive_scores;
-  constexpr auto a = std::size_t(Choice::POINTS_3_RINGS), b = std::size_t(Choice::NORMALS_2_RINGS),
-                 as_b = std::size_t(Choice::SMOOTHED_4_RINGS), none = std::size_t(Choice::CHECKED_2_RINGS);
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto scores_of = [](std::initializer_list<std::size_t> suitable)
-  {
-    Scores scores;
-    scores.fill(10.);
-    for(const std::size_t c : suitable)
-      scores[c] = 1.;
-    scores[none] = infinity;
-    return scores;
-  };
-  // by how much the score of `a` is below that of `b` in the end, where it was the same
-  const auto advantage_of_a = [&](std::size_t suited_by_a, std::size_t suited_by_b, std::size_t undecided)
-  {
-    std::vector<Scores> scores(suited_by_a, scores_of({a}));
-    scores.insert(scores.end(), suited_by_b, scores_of({b}));
-    scores.insert(scores.end(), undecided, scores_of({a, b}));
-    SC::internal::favor_usual_kind_of_data(scores);
-    for(std::size_t i = 0; i < scores.size(); ++i)
-    {
-      const Scores& s = scores[i];
-      BOOST_TEST(s[none] == infinity);
-      if(i < suited_by_a)
-        BOOST_TEST(s[a] < s[b]);
-      else if(i < suited_by_a + suited_by_b)
-        BOOST_TEST(s[b] < s[a]);
-      if(i >= suited_by_a)
-        BOOST_TEST(std::abs(s[as_b] - s[b] - 9.) < 1e-12); // of the same kind
-    }
-    return scores.back()[b] - scores.back()[a];
-  };
-  BOOST_TEST(advantage_of_a(800, 0, 200) > 2.5);
-  BOOST_TEST(advantage_of_a(800, 10, 200) > 2.3);
-  BOOST_TEST(advantage_of_a(10, 800, 200) < -2.3);
-  BOOST_TEST(std::abs(advantage_of_a(400, 400, 200)) < 1e-12);
-  BOOST_TEST(advantage_of_a(500, 300, 200) > .4);
-  BOOST_TEST(advantage_of_a(500, 300, 200) < 1.);
-  // few samples tell little
-  BOOST_TEST(advantage_of_a(2, 0, 1) > 0.);
-  BOOST_TEST(advantage_of_a(2, 0, 1) < .3);
-  std::vector<Scores> nothing;
-  SC::internal::favor_usual_kind_of_data(nothing);
-  BOOST_TEST(nothing.empty());
-}
-
 BOOST_AUTO_TEST_CASE(restriction)
 {
   for(const double noise : {0., .08})

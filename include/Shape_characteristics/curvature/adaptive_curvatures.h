@@ -63,11 +63,6 @@ bool adaptive_fits_are_shared(const NamedParameters& np)
   Where the first of these, or that and the noise level, say that normals are exact beyond doubt, nothing else is asked; elsewhere
   mostly one or two have a part in the average. Those with less than a fiftieth of the largest weight have none.
 
-  The data of a surface mostly come from one source. So the kind of data that many of these vertices seem to have, exact points and
-  normals, exact points, or noisy ones, is a little likelier at each of them: the proportions of the kinds, found by expectation
-  maximization, are part of the probabilities that weights stand for (M. Saerens, P. Latinne, C. Decaestecker, Adjusting the outputs
-  of a classifier to new a priori probabilities: a simple procedure, Neural Computation 14(1), 2002).
-
   Before all this, it is tried whether a vertex and its neighbors lie on a quadric, to eight digits of their distances: on a
   sphere, a cylinder, a cone, an ellipsoid, a paraboloid, a hyperboloid, as the faces of technical parts do, or on two planes that
   meet. There the curvatures are the quadric's, as exact as the points are, up to the border and whatever the normals are, unless
@@ -157,8 +152,8 @@ std::size_t adaptive_curvatures(const FaceGraph& mesh,
     \scVertexOutputParameters
   \cgalNamedParamsEnd
 
-  The noise level is estimated from the surroundings of the vertex alone, some ten edges wide, points farther away aren't
-  smoothed, and what kind of data the mesh has elsewhere isn't known. Where normals are exact beyond doubt, that says nothing but that they are, and the result has the bits of the whole
+  The noise level is estimated from the surroundings of the vertex alone, some ten edges wide, and points farther away aren't
+  smoothed. Where normals are exact beyond doubt, that says nothing but that they are, and the result has the bits of the whole
   mesh's.
 
   \return whether the curvatures were estimated, or why not

@@ -7,11 +7,9 @@
 #include <Shape_characteristics/curvature/internal/Fitted_sample.h>
 #include <Shape_characteristics/curvature/internal/Quadric_through_neighbors.h>
 #include <Shape_characteristics/curvature/internal/adaptive_scores.h>
-#include <Shape_characteristics/curvature/internal/favor_usual_kind_of_data.h>
 #include <Shape_characteristics/curvature/internal/write_curvatures.h>
 #include <Shape_characteristics/sampling/for_each_sample.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -36,7 +34,7 @@ class Adaptive_estimator
   using Choice = Adaptive_estimator_choice;
   using Index = typename Statistics::Index;
   using Fields = std::array<const Fitted_field*, number_of_adaptive_candidates>;
-  using Scores = Adaptive_scores;
+  using Scores = std::array<double, number_of_adaptive_candidates>;
 
 public:
   // `size`: of how many samples the estimates are wanted
@@ -129,28 +127,11 @@ private:
       fields[c] = &m_statistics.field(Choice(c));
     if(m_statistics.is_cancelled())
       return;
-    std::vector<Index> blended; // those of which there is an estimate
-    std::vector<Scores> scores;
     for(const Index i : samples)
     {
-      Scores of_sample = adaptive_scores([&](const std::size_t k) { return (*statistics[k])[i]; });
-      bool is_any = false;
-      for(std::size_t c = 0; c < fields.size(); ++c)
-        if(is_estimated((*fields[c])[i].status))
-          is_any = true;
-        else
-          of_sample[c] = std::numeric_limits<double>::infinity();
-      if(is_any)
-      {
-        blended.push_back(i);
-        scores.push_back(of_sample);
-      }
-      else
-        result.estimates[i] = (*fields[0])[i].estimate();
+      Scores scores = adaptive_scores([&](const std::size_t k) { return (*statistics[k])[i]; });
+      blend(fields, scores, i, result);
     }
-    favor_usual_kind_of_data(scores);
-    for(std::size_t k = 0; k < blended.size(); ++k)
-      blend(fields, scores[k], blended[k], result);
   }
 
   // `statistic(k)`: the k-th one of a sample
@@ -174,26 +155,34 @@ private:
     return scores;
   }
 
-  // `scores`: infinite where there is no estimate, which isn't everywhere
-  static void blend(const Fields& fields, const Scores& scores, std::size_t i, Adaptive_estimates& result)
+  static void blend(const Fields& fields, Scores& scores, std::size_t i, Adaptive_estimates& result)
   {
-    const Scores shares = adaptive_shares(scores);
-    const auto best = std::size_t(std::min_element(scores.begin(), scores.end()) - scores.begin());
+    std::size_t best = 0;
+    for(std::size_t c = 0; c < scores.size(); ++c)
+    {
+      if(!is_estimated((*fields[c])[i].status))
+        scores[c] = std::numeric_limits<double>::infinity();
+      if(scores[c] < scores[best])
+        best = c;
+    }
     const auto heir = [&](const std::size_t c)
     {
       const auto h = std::size_t(adaptive_heir(Choice(c)));
       return is_estimated((*fields[h])[i].status) ? h : c;
     };
     Fitted_sample mean = (*fields[heir(best)])[i];
-    double sum = 1.;
-    for(std::size_t c = 0; c < scores.size(); ++c)
-      if(c != best && shares[c] > 0.)
-      {
-        mean.add((*fields[heir(c)])[i], shares[c]);
-        sum += shares[c];
-      }
-    mean.divide(sum);
-    take(mean, Choice(heir(best)), i, result);
+    if(is_estimated(mean.status))
+    {
+      double sum = 1.;
+      for(std::size_t c = 0; c < scores.size(); ++c)
+        if(const double share = adaptive_share(scores[c] - scores[best]); c != best && share > 0.)
+        {
+          mean.add((*fields[heir(c)])[i], share);
+          sum += share;
+        }
+      mean.divide(sum);
+    }
+    take(mean, is_estimated(mean.status) ? Choice(heir(best)) : Choice::NONE, i, result);
   }
 
   static void take(const Fitted_sample& fit, Choice choice, std::size_t i, Adaptive_estimates& result)
